@@ -1,8 +1,8 @@
 //! The jumper's engine, against checks of each rule and against [`described`], a second implementation of the description.
 
+use crate::support::strategies::cases;
 use glam::DVec3;
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
 use resultant::classics::jumper::engine::{Cuboid, CuboidFace, CuboidHit, Dynamic, Static, StaticKind, step};
 
 fn described(bodies: &mut [Dynamic], statics: &[Static], g: f64, dt: f64) -> Vec<CuboidHit> {
@@ -150,7 +150,7 @@ fn coarse(range: std::ops::Range<i32>) -> impl Strategy<Value = DVec3> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
+    #![proptest_config(cases(256))]
 
     #[test]
     fn the_engine_is_the_described_one(

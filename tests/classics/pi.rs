@@ -1,8 +1,8 @@
 //! π from collisions: the counts, the places and times, where stepping fails, and the command line.
 
 use crate::support::program::{Ran, resultant};
+use crate::support::strategies::cases;
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
 use resultant::classics::pi::{Blocks, Collision, HEAVY_START, LIGHT_START, MAX_N, STEPPED_DURATION, mass_ratio, step_through};
 
 /// The first digits of π, N+1 of them.
@@ -59,7 +59,7 @@ fn times_and_places_are_those_of_the_straight_line() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
+    #![proptest_config(cases(256))]
 
     #[test]
     fn the_same_collisions_come_out_at_any_frame_rate(

@@ -4,8 +4,8 @@
 //! `floor`, so that a slip in one of the two shows.
 
 use crate::support::program::{Ran, resultant};
+use crate::support::strategies::cases;
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
 use resultant::classics::tile_run::{Command, Map, Runner};
 use std::path::{Path, PathBuf};
 
@@ -80,7 +80,7 @@ fn tiles(map: &Path, commands: &Path, more: &[&str]) -> Ran {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
+    #![proptest_config(cases(256))]
 
     #[test]
     fn every_run_on_every_map_is_the_described_one(

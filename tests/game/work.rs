@@ -1,6 +1,6 @@
 //! The work of each force, against exact answers, and the law of work and energy.
 
-use crate::support::shipped::{experiment, flights, levels, load};
+use crate::support::shipped::{experiment, flights, flown, levels, load};
 use crate::support::written::{begun, written};
 use resultant::game::{Controls, Game, History};
 use resultant::instruments::ledger::{Account, EnergyState, WorkLedger};
@@ -194,12 +194,7 @@ fn within_a_pushed_row_the_pushes_pass_on_what_they_take() {
 
 fn careful(level: &str) -> Flown {
     let replay = flights(level).remove("careful").expect("a careful flight");
-    let mut game = Game::new(load(level)).unwrap();
-    let mut history = History::new(&game);
-    for controls in replay.inputs.clone() {
-        game.step(controls);
-        history.note(&game, controls);
-    }
+    let (game, history) = flown(load(level), replay.inputs);
     Flown { game, history }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::lesson::{columns, experiment, free_fall, open_plot, written};
 use crate::sitting::{HERE, Sitting, level};
-use crate::support::shipped::fixture;
+use crate::support::shipped::{fixture, flown};
 use proptest::prelude::*;
 use resultant::draw::Canvas;
 use resultant::draw::layout::{Frame, Vec2};
@@ -214,21 +214,13 @@ fn a_watched_flight_is_plotted_and_gone_through() {
 }
 
 /// A flight of the fixture 1: `thrust` ticks with thrust, then without.
-fn flown(thrust: u64, ticks: u64) -> (Game, History) {
-    let mut game = Game::new(fixture("1")).unwrap();
-    let mut history = History::new(&game);
-    for tick in 0..ticks {
-        let controls = Controls { thrust: tick < thrust, ..Controls::default() };
-        game.step(controls);
-        history.note(&game, controls);
-    }
-    (game, history)
+fn thrusting(thrust: u64, ticks: u64) -> (Game, History) {
+    flown(fixture("1"), (0..ticks).map(|tick| Controls { thrust: tick < thrust, ..Controls::default() }))
 }
 
 #[test]
 fn the_run_before_shares_the_axes_of_the_run() {
-    let (game, history) = flown(60, 200);
-    let (_, longer) = flown(100, 800);
+    let ((game, history), (_, longer)) = (thrusting(60, 200), thrusting(100, 800));
     let shorter = longer.until(400);
     let focus = Focus::default();
     let stage = |before| Stage {

@@ -1,7 +1,7 @@
 //! The levels and experiments that ship, and the flights that are recorded with them; levels that stay as they are.
 
 use resultant::files::EXPERIMENTS;
-use resultant::game::Replay;
+use resultant::game::{Controls, Game, History, Replay};
 use resultant::level::{self, Level};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -63,6 +63,15 @@ fn flights_from(root: &Path, name: &str) -> BTreeMap<String, Replay> {
     files.map(|entry| flight(entry.unwrap().path())).collect()
 }
 
+/// Every flight that is recorded with a shipped level, by the names of both.
+pub fn recorded() -> impl Iterator<Item = (Arc<Level>, String, Replay)> {
+    let of_level = |name: String| {
+        let level = load(&name);
+        flights(&name).into_iter().map(move |(flight, replay)| (level.clone(), format!("level {name}, {flight}"), replay))
+    };
+    levels().into_iter().flat_map(of_level)
+}
+
 pub fn names(folder: &Path) -> Vec<String> {
     let names = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
     names.collect::<BTreeSet<_>>().into_iter().collect()
@@ -83,4 +92,15 @@ pub fn copy_fixture(name: &str, root: &Path) {
 
 pub fn record(level: &str, flight: &str) -> Replay {
     flights_from(&fixtures(), level).remove(flight).unwrap_or_else(|| panic!("level {level} has no flight {flight}"))
+}
+
+/// The game that these keys lead to, a tick each, and how it got there.
+pub fn flown(level: Arc<Level>, keys: impl IntoIterator<Item = Controls>) -> (Game, History) {
+    let mut game = Game::new(level).unwrap();
+    let mut history = History::new(&game);
+    for controls in keys {
+        game.step(controls);
+        history.note(&game, controls);
+    }
+    (game, history)
 }

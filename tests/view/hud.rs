@@ -2,7 +2,7 @@
 //! goal and no text; along every recorded flight it steps aside. Arrows point to every goal and key outside the view.
 
 use super::onlook::{WINDOWS, centres, kept_free, on_canvas, pixels, window};
-use crate::support::shipped::{experiment, flights, levels, load};
+use crate::support::shipped::{experiment, levels, load, recorded};
 use resultant::draw::layout::{Area, Frame, LINE, Vec2, nearest_size, words_width};
 use resultant::game::{Controls, Game, Outcome, SHIP};
 use resultant::level::{Level, ObjectiveKind};
@@ -155,11 +155,8 @@ fn fly(level: &Arc<Level>, inputs: impl Iterator<Item = Controls>, seen: &mut Se
 #[test]
 fn along_every_recorded_flight_the_display_steps_aside_and_points_to_what_is_outside() {
     let mut seen = Seen::default();
-    for name in levels() {
-        let level = load(&name);
-        for (flight, replay) in flights(&name) {
-            fly(&level, replay.inputs.into_iter(), &mut seen, &format!("level {name}, {flight}"));
-        }
+    for (level, what, replay) in recorded() {
+        fly(&level, replay.inputs.into_iter(), &mut seen, &what);
     }
     assert!(seen.looks > 10_000 && seen.arrows > seen.looks / 2 && seen.missing < seen.arrows / 20, "{seen:?}");
     assert!(seen.aside > 0 && seen.aside < seen.looks / 2, "{seen:?}: it is away more than it is there");

@@ -2,7 +2,7 @@
 //! neither the ship nor a hazard nor a goal, nothing of them covers another, and no force is without an arrow inside the window.
 
 use super::onlook::{WINDOWS, centres, kept_free, pixels, window};
-use crate::support::shipped::{experiment, experiments, flights, levels, load};
+use crate::support::shipped::{experiment, experiments, recorded};
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::game::{Controls, Game, TICK_RATE};
 use resultant::level::Level;
@@ -205,11 +205,8 @@ fn check(seen: &Seen) {
 #[test]
 fn along_every_recorded_flight_nothing_is_covered() {
     let mut seen = Seen::default();
-    for name in levels() {
-        let level = load(&name);
-        for (flight, replay) in flights(&name) {
-            watch(&level, &Focus::default(), replay.inputs.into_iter(), &format!("level {name}, {flight}"), &mut seen);
-        }
+    for (level, what, replay) in recorded() {
+        watch(&level, &Focus::default(), replay.inputs.into_iter(), &what, &mut seen);
     }
     check(&seen);
 }
