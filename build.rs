@@ -1,4 +1,4 @@
-//! Lists the levels, experiments, assets and charts of the repository as Rust, so that the program has them built in (`src/built_in.rs`),
+//! Lists the levels with the experiments, assets and charts of the repository as Rust, so that the program has them built in (`src/built_in.rs`),
 //! names the browser's target `browser`, and the engine's sources by a hash of their lines.
 
 use std::env;
@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
-const SHIPPED: [&str; 4] = ["assets", "docs/charts", "experiments", "levels"];
+const SHIPPED: [&str; 3] = ["assets", "docs/charts", "levels"];
 /// Charts that no screen reads: pictures, and what other files were made of.
 const LEFT_OUT: [&str; 6] = [".svg", ".md", "/peers.csv", "/shipped.csv", "/stability.csv", "/stability-limits.csv"];
 

@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// Thirty bodies that fall, bounce and lie about each other in view of the ship.
 fn crowd() -> Game {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut level = level::load(&root.join("experiments/bounce"), root).expect("the experiment loads").level;
+    let mut level = level::load(&root.join("levels/experiments/bounce"), root).expect("the experiment loads").level;
     let one = level.objects[0].clone();
     let place = |i: usize| DVec2::new(3.0 + 1.3 * (i % 15) as f64, level.size.y - 2.0 - 3.0 * (i / 15) as f64);
     level.objects = (0..30).map(|i| level::Object { position: place(i), ..one.clone() }).collect();

@@ -309,7 +309,7 @@ fn over_time(scene: &LabScene) -> Option<OverTime> {
 /// Levels and experiments under the keys of their first flight, or none, and the scenes of the Lab.
 fn trials(project: &Project, scenes: Vec<LabScene>, ticks: usize) -> Vec<(&'static str, String, TimedRun)> {
     let mut trials = Vec::new();
-    for (of, folder) in [(savings::LEVEL, project.levels()), ("experiment", project.root().join("experiments"))] {
+    for (of, folder) in [(savings::LEVEL, project.levels()), ("experiment", project.root().join(files::EXPERIMENTS))] {
         for name in level::list(&folder) {
             let Ok(loaded) = level::load(&folder.join(&name), project.root()) else { continue };
             let Ok(game) = Game::new(Arc::new(loaded.level)) else { continue };

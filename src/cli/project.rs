@@ -85,7 +85,7 @@ impl Project {
         self.root.join("scores")
     }
 
-    /// A name under `levels/`, any folder, or one below the root, such as `experiments/hooke`.
+    /// A name under `levels/`, such as `1` or `experiments/hooke`, or any folder.
     pub fn level_folder(&self, level: impl AsRef<Path>) -> Result<PathBuf, CommandError> {
         let level = level.as_ref();
         let listed = self.levels().join(level);
@@ -94,10 +94,6 @@ impl Project {
         }
         if files::is_folder(level) {
             return Ok(level.to_path_buf());
-        }
-        let below = self.root.join(level);
-        if is_name(level) && files::is_folder(&below) {
-            return Ok(below);
         }
         Err(CommandError::Refused(format!("no level {level:?}: neither {} nor {level:?} is a folder", shown(listed.display()))))
     }

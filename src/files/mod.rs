@@ -33,7 +33,7 @@ pub use read::Symlinks;
 pub use read::too_large;
 pub use rows::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, found_instead, place};
 pub use save::{SaveError, update, write};
-pub use shipped::{AboveShipped, ship_at, ship_lessons_at};
+pub use shipped::{AboveShipped, EXPERIMENTS, ship_at, ship_lessons_at};
 pub use staged::{Replacement, around, behind_links, sync_folder};
 pub use storage::{Disk, FileKind, Found, Lock, Manner, PATIENCE, Storage, share};
 

@@ -40,7 +40,10 @@ pub struct AboveShipped<H> {
     lessons: bool,
 }
 
-const LESSONS: [&str; 2] = ["experiments", "assets"];
+/// Where the experiments are, from a project's root: in the folder of its levels, though none of them.
+pub const EXPERIMENTS: &str = "levels/experiments";
+
+const LESSONS: [&str; 2] = [EXPERIMENTS, "assets"];
 
 enum ShippedItem {
     File(&'static [u8]),
@@ -73,10 +76,12 @@ impl<H: Storage> AboveShipped<H> {
 
     /// Whether shipped files show at a path from the root.
     fn shows(&self, path: &str) -> bool {
-        let mut parts = path.split('/');
-        let (first, second) = (parts.next().unwrap_or_default(), parts.next());
-        let hidden = |name| self.home.look(&self.root.join(first).join(name), Symlinks::Followed).is_ok();
-        !self.lessons || LESSONS.contains(&first) && !second.is_some_and(hidden)
+        let shows_below = |folder: &str| {
+            let Ok(below) = Path::new(path).strip_prefix(folder) else { return false };
+            let hidden = |name| self.home.look(&self.root.join(folder).join(name), Symlinks::Followed).is_ok();
+            !below.components().next().is_some_and(hidden)
+        };
+        !self.lessons || LESSONS.into_iter().any(shows_below)
     }
 
     fn shipped(&self, path: &Path) -> Option<ShippedItem> {
@@ -263,7 +268,9 @@ mod tests {
     #[test]
     fn the_list_is_in_order_and_holds_what_a_player_needs() {
         assert!(SHIPPED.is_sorted_by_key(|(path, _)| *path), "it is searched by halves");
-        for needed in ["levels/shipped.csv", "experiments/experiments.csv", "assets/tile_run/map.txt", "assets/sprites/ball.png"] {
+        for needed in
+            ["levels/shipped.csv", "levels/experiments/experiments.csv", "assets/tile_run/map.txt", "assets/sprites/ball.png"]
+        {
             assert!(SHIPPED.iter().any(|(path, _)| *path == needed), "{needed}");
         }
     }

@@ -331,6 +331,7 @@ fn dots_of_tick(game: &Game, who: &[BodyId]) -> Vec<Dots> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::files::EXPERIMENTS;
     use crate::game::{Controls, SHIP};
     use crate::level;
     use std::path::Path;
@@ -369,7 +370,7 @@ mod tests {
 
     fn flown(rate: f64, seconds: f64) -> History {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let level = Arc::new(level::load(&root.join("experiments/projectile"), root).expect("it ships").level);
+        let level = Arc::new(level::load(&root.join(EXPERIMENTS).join("projectile"), root).expect("it ships").level);
         let mut game = Game::with_tick_rate(level, rate).expect("it loads");
         let mut history = History::new(&game);
         for _ in 0..(seconds * rate) as u32 {

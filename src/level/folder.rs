@@ -138,11 +138,16 @@ pub fn is_shipped(folder: &Path) -> bool {
     SHIPPED.into_iter().any(named)
 }
 
-/// The names of the level folders in `levels`: numbers first, in numeric order (2 before 10), then words. Hidden folders and folders whose
-/// name is no text are left out; an unreadable folder holds none.
+/// Whether that is what the folder of the experiments is called among those of the levels, in any case.
+fn is_experiments(name: &str) -> bool {
+    Path::new(files::EXPERIMENTS).file_name().is_some_and(|own| own.eq_ignore_ascii_case(name))
+}
+
+/// The names of the level folders in `levels`: numbers first, in numeric order (2 before 10), then words. Hidden folders, that of the
+/// experiments and folders whose name is no text are left out; an unreadable folder holds none.
 pub fn list(levels: &Path) -> Vec<String> {
     let mut names = files::text_names(levels);
-    names.retain(|name| !name.starts_with('.') && files::is_folder(&levels.join(name)));
+    names.retain(|name| !name.starts_with('.') && !is_experiments(name) && files::is_folder(&levels.join(name)));
     names.sort_by(|a, b| by_number_then_name(a, b));
     names
 }
@@ -194,6 +199,8 @@ pub enum NameFault {
     /// Another file among the leaderboards has this name.
     Board(&'static str),
     Device,
+    /// The folder of the experiments has this name.
+    Experiments,
 }
 
 impl NameFault {
@@ -202,6 +209,7 @@ impl NameFault {
             Self::Hidden(c) => tr!("a name without the invisible character {code}", code = format_args!("U+{:04X}", c as u32)),
             Self::NoWord => tr!("up to {most} letters, digits, - and _, the first a letter or digit", most = MAX_NAME),
             Self::Board(name) => tr!("another name, as scores/{name}.csv is a list of another kind", name),
+            Self::Experiments => tr("another name, as that folder holds the experiments").to_owned(),
             Self::Device => tr("another name, as Windows takes that one for a device").to_owned(),
         }
     }
@@ -213,7 +221,7 @@ pub fn judge_name(name: &str) -> Result<(), NameFault> {
     let word = name.chars().count() <= MAX_NAME
         && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))
         && name.chars().next().is_some_and(char::is_alphanumeric);
-    let taken = judge_taken(name);
+    let taken = if is_experiments(name) { Err(NameFault::Experiments) } else { judge_taken(name) };
     if word || matches!(taken, Err(NameFault::Hidden(_))) { taken } else { Err(NameFault::NoWord) }
 }
 
@@ -298,6 +306,7 @@ mod tests {
         for name in ["CON", "aux", "NUL", "prn", "COM1", "com0", "Lpt9", "com¹"] {
             assert_eq!(judge_name(name), Err(NameFault::Device), "{name}");
         }
+        assert_eq!(judge_name("Experiments"), Err(NameFault::Experiments));
         assert_eq!(judge_taken("aux.2"), Err(NameFault::Device));
         for name in ["con .txt", "CONIN$", "conout$.csv", "COM1 .png"] {
             assert!(is_device(name), "{name}");

@@ -65,7 +65,9 @@ pub(super) fn judge_folder(name: &str) -> Result<(), String> {
     let refused =
         |expected: String| Err(tr!("found the level name {name}, expected {expected}", name = format_args!("{name:?}"), expected));
     match judge_name(name) {
-        Err(fault @ (NameFault::Board(_) | NameFault::Device | NameFault::Hidden(_))) => refused(fault.expected()),
+        Err(fault @ (NameFault::Board(_) | NameFault::Device | NameFault::Experiments | NameFault::Hidden(_))) => {
+            refused(fault.expected())
+        }
         // New levels need a word; an old one only must not lead elsewhere.
         _ if fault(name).is_some() || name.starts_with('.') || name.contains('/') => refused(NameFault::NoWord.expected()),
         _ => Ok(()),

@@ -191,6 +191,7 @@ fn follow(link: PageLink, session: &mut Session, spectator: &mut dyn Spectator) 
 
 /// A link with more characters is none of this game's.
 const LONGEST: usize = 500;
+/// Before an experiment's name: links name folders below that of the levels, as the command line does.
 const EXPERIMENTS: &str = "experiments/";
 
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,11 +4,11 @@
 //!
 //! An attempt at a level, and its record.
 //!
-//! An experiment of the Lab, as `experiments/experiments.csv` lists it.
+//! An experiment of the Lab, as the `experiments.csv` of their folder lists it.
 
 use super::folder_watch::FolderWatch;
 use crate::classics::tile_run::{Command, InputError, Map};
-use crate::files::{self, CHART, CsvFile, CsvRow, TILE_COMMANDS, TILE_MAP, read_text};
+use crate::files::{self, CHART, CsvFile, CsvRow, EXPERIMENTS, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::game::{History, Inputs, Replay};
 use crate::instruments::reading::Wanted;
 use crate::lab::charts::Charts;
@@ -21,9 +21,6 @@ use std::sync::Arc;
 
 /// Where the tile run's `map.txt` and `commands.txt` are, from the project's root.
 const TILE_RUN: &str = "assets/tile_run";
-
-/// Where the experiments are, from the project's root.
-const EXPERIMENTS: &str = "experiments";
 
 /// The columns of their list, the first of which are needed.
 const EXPERIMENT: [&str; 7] = ["folder", "question", "vary", "answer", "choices", "right", "readings"];
@@ -149,7 +146,7 @@ impl Library {
         }
     }
 
-    /// The experiments, as `experiments/experiments.csv` lists them.
+    /// The experiments, as the `experiments.csv` of their folder lists them.
     ///
     /// # Errors
     /// The list is missing or damaged.

@@ -40,9 +40,8 @@ fn players_start_on_the_ground() {
         let places: Vec<DVec3> = scene.players().map(|(_, body)| body.cuboid.location).collect();
         assert_eq!(places, [DVec3::new(5.0, 0.0, 0.0), DVec3::new(10.0, 0.0, 0.0)][..places.len()]);
         assert_eq!((places.len(), scene.score(), scene.is_over()), (1 + usize::from(two), 0, false));
-        assert!(
-            scene.players().all(|(_, body)| body.on_ground && body.cuboid.dimensions.x == 0.3 && body.cuboid.dimensions.z == 0.3)
-        );
+        let narrow = |body: &Dynamic| body.cuboid.dimensions.x == 0.3 && body.cuboid.dimensions.z == 0.3;
+        assert!(scene.players().all(|(_, body)| body.on_ground && narrow(body)));
     }
 }
 
@@ -92,7 +91,6 @@ fn letting_go_while_rising_halves_the_upward_velocity_once() {
     let cut = tick(&mut scene, NOTHING).velocity.z;
     assert!(near(cut, rising / 2.0 - FALL));
     assert!(near(tick(&mut scene, NOTHING).velocity.z, cut - FALL));
-    // Falling, it changes nothing.
     let mut scene = alone();
     while tick(&mut scene, JUMP).velocity.z > 0.0 {}
     let falling = tick(&mut scene, JUMP).velocity.z;
@@ -116,13 +114,10 @@ fn a_held_jump_key_jumps_once() {
 fn the_walls_hold() {
     for (keys, end) in [(RIGHT, 15.0 - PLAYER_SIZE), (LEFT, 0.0)] {
         let mut scene = alone();
-        for _ in 0..600 {
-            tick(&mut scene, keys);
-        }
+        (0..600).for_each(|_| _ = tick(&mut scene, keys));
         assert!(near(body(&scene, 0).cuboid.location.x, end));
-        let against =
-            scene.hits.iter().any(|hit| matches!(hit, CuboidHit::Static { face: CuboidFace::MinX | CuboidFace::MaxX, .. }));
-        assert!(against, "{:?}", scene.hits);
+        let against = |hit: &CuboidHit| matches!(hit, CuboidHit::Static { face: CuboidFace::MinX | CuboidFace::MaxX, .. });
+        assert!(scene.hits.iter().any(against), "{:?}", scene.hits);
     }
 }
 
@@ -186,8 +181,8 @@ fn a_climb_repeats_bit_by_bit_and_another_seed_is_another_tower() {
     let climb = |seed| {
         let mut scene = JumperScene::new(seed, true);
         for tick in 0..2000_u32 {
-            let keys =
-                |shift: u32| JumpKeys { left: tick / 90 % 2 == shift, right: tick / 90 % 2 != shift, jump: tick / 13 % 3 == 0 };
+            let (side, jump) = (tick / 90 % 2, tick / 13 % 3 == 0);
+            let keys = |shift: u32| JumpKeys { left: side == shift, right: side != shift, jump };
             scene.tick([keys(0), keys(1)]);
         }
         let bodies: Vec<Dynamic> = scene.players().map(|(_, body)| *body).collect();
@@ -223,9 +218,7 @@ fn the_command_line_climbs_and_refuses() {
         (ran.status, ran.out, ran.err)
     };
     let mut scene = JumperScene::new(1, true);
-    for _ in 0..30 {
-        scene.tick([RIGHT, LEFT]);
-    }
+    (0..30).for_each(|_| scene.tick([RIGHT, LEFT]));
     let [x1, x2] = [0, 1].map(|player| body(&scene, player).cuboid.location.x);
     let (status, printed, _) = climb("ticks,left1,right1,jump1,left2,right2,jump2\n30,0,1,0,1,0,0\n", &["--players", "2"]);
     assert_eq!((status, printed), (0, format!("outcome=climbing\nscore=0\nheight=0\nticks=30\nx1={x1}\nz1=0\nx2={x2}\nz2=0\n")));

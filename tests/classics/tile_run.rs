@@ -4,8 +4,8 @@
 //! `floor`, so that a slip in one of the two shows.
 
 use crate::support::program::{Ran, resultant};
+use crate::support::strategies::cases;
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
 use resultant::classics::tile_run::{Command, Map, Runner};
 use std::path::{Path, PathBuf};
 
@@ -79,37 +79,8 @@ fn tiles(map: &Path, commands: &Path, more: &[&str]) -> Ran {
     Ran::new(resultant().arg("tiles").args([map, commands]).args(more))
 }
 
-// Worked out by hand from the description.
-
-#[test]
-fn a_fall_lands_a_millionth_above_the_floor_and_only_then_is_on_the_ground() {
-    // 0.06, 0.18, 0.36, 0.6, 0.9 tiles below the start: the sixth frame would reach 1.26.
-    let frames = run("s\n.", &[("WAIT", 0.0); 10]);
-    assert!(frames[..7].iter().all(|frame| !frame.4));
-    let fall = frames.iter().position(|frame| frame.4).unwrap();
-    assert_eq!(frames[fall], (0.0, 2.0 - 1e-6, 0.0, 0.0, true));
-    // Standing, each frame falls 0.06 into the floor and is set back: still on the ground.
-    assert_eq!(frames[9], frames[fall]);
-}
-
-#[test]
-fn a_jump_is_kept_from_going_below_its_limit_before_gravity_acts() {
-    let jump = |value| {
-        run(
-            ".\n.\ns\n#",
-            &[("WAIT", 0.0), ("WAIT", 0.0), ("WAIT", 0.0), ("WAIT", 0.0), ("WAIT", 0.0), ("WAIT", 0.0), ("JUMP", value)],
-        )[6]
-        .3
-    };
-    assert_eq!(jump(0.6), -0.6 + 0.06);
-    assert_eq!(jump(0.66), -0.6 + 0.06, "not −0.66 + 0.06 = −0.6");
-    assert_eq!(jump(1e300), -0.6 + 0.06);
-    assert_eq!(jump(0.5), -0.5 + 0.06);
-    assert_eq!(jump(-0.5), 0.0, "pushed into the ground");
-}
-
 proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("proptest-regressions"))), ..ProptestConfig::default() })]
+    #![proptest_config(cases(256))]
 
     #[test]
     fn every_run_on_every_map_is_the_described_one(

@@ -16,7 +16,6 @@ fn help_is_everywhere_and_a_success() {
     }
 }
 
-/// A folder with one level, `way`.
 fn data() -> Data {
     let data = Data::new();
     data.level("way", "gravity,0\n", &[("player.csv", "1500,1500,100,500,3000\n"), ("objectives.csv", "PLAYER,10,10,20,20\n")]);
@@ -103,7 +102,6 @@ fn without_a_home_the_levels_are_there_and_each_user_has_own_files() {
     assert_eq!(alone.run(Some(&ann), &["new", "tower"]).status, 0);
     assert_eq!(alone.run(Some(&bob), &["check", "tower"]).status, 2, "it is another user's");
     assert_eq!(alone.run(Some(&bob), &["new", "tower"]).status, 0);
-    // A home that cannot be made is named, and the shipped levels are there all the same.
     let nowhere = std::path::Path::new("/proc/nowhere");
     assert_eq!(alone.run(Some(nowhere), &["check", "1"]).status, 0);
     let made = alone.run(Some(nowhere), &["new", "tower"]);
@@ -124,7 +122,6 @@ fn without_a_window_playing_says_so() {
     }
 }
 
-/// Elsewhere a window would open.
 #[cfg(all(target_os = "linux", feature = "window"))]
 #[test]
 fn the_editor_asks_for_no_folder_that_it_does_not_need() {

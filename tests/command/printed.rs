@@ -2,13 +2,13 @@
 
 use crate::support::program::{Ran, resultant};
 use crate::support::shipped::project;
+use resultant::files::EXPERIMENTS;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Folders of documents, from the project's.
-const DOCUMENTS: [&str; 5] = ["README.md", "CONTRIBUTING.md", "docs", "levels", "experiments"];
+const DOCUMENTS: [&str; 4] = ["README.md", "CONTRIBUTING.md", "docs", "levels"];
 
 fn texts(path: &Path, found: &mut Vec<String>) {
     if path.is_dir() {
@@ -57,7 +57,7 @@ fn every_printed_command_works_in_any_folder() {
     let (folder, own) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
     let commands = commands();
     let plays = commands.iter().filter(|command| command.starts_with("resultant play experiments/")).count();
-    assert_eq!(plays, fs::read_dir(project().join("experiments")).unwrap().count() - 1, "{commands:#?}");
+    assert_eq!(plays, fs::read_dir(project().join(EXPERIMENTS)).unwrap().count() - 1, "{commands:#?}");
     let mut ran = 0;
     for command in commands.iter().filter(|command| !has_places(command)) {
         let mut words: Vec<&str> = command.split(' ').skip(1).collect();
@@ -72,7 +72,6 @@ fn every_printed_command_works_in_any_folder() {
         let data = ["--data", own.path().to_str().unwrap()];
         let levels = words.iter().any(|word| word.parse::<u32>().is_ok() || word.starts_with("levels/"));
         for more in [&[][..], &data] {
-            // The levels of a data folder are its own.
             if levels && !more.is_empty() {
                 continue;
             }
@@ -108,9 +107,8 @@ fn every_printed_subcommand_is_one() {
 fn experiments_are_there_for_every_command() {
     let (folder, data) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
     let run = |words: &[&str]| Ran::new(elsewhere(folder.path()).args(words));
-    fs::create_dir_all(data.path().join("experiments/mine")).unwrap();
-    fs::create_dir_all(data.path().join("levels")).unwrap();
-    fs::write(data.path().join("experiments/experiments.csv"), "folder,question,vary,answer\n").unwrap();
+    fs::create_dir_all(data.path().join(EXPERIMENTS).join("mine")).unwrap();
+    fs::write(data.path().join(EXPERIMENTS).join("experiments.csv"), "folder,question,vary,answer\n").unwrap();
     let own = data.path().to_str().unwrap().to_owned();
     for more in [vec![], vec!["--data", own.as_str()]] {
         let with = |words: &[&str]| run(&[words, more.as_slice()].concat());
@@ -124,10 +122,9 @@ fn experiments_are_there_for_every_command() {
         assert!(none.status == 2 && none.err.contains("no level"), "{none:?}");
     }
     // A folder of the user's hides the built-in one of its name, whole.
-    fs::create_dir_all(data.path().join("experiments/hooke")).unwrap();
+    fs::create_dir_all(data.path().join(EXPERIMENTS).join("hooke")).unwrap();
     let hidden = run(&["check", "experiments/hooke", "--data", &own]);
     assert_eq!(hidden.status, 1, "{hidden:?}");
-    // The levels of a data folder are its own.
     let levels = run(&["check", "1", "--data", &own]);
     assert!(levels.status == 2 && levels.err.contains("no level \"1\""), "{levels:?}");
 }

@@ -17,16 +17,11 @@ fn class() -> Data {
     data.write("ann/scores/2.csv", "name,score\nann,5\n");
     let hooke = "ann,hooke,2026-11-24 15:58:21,40,2026-11-24 15:50:00,no,force,50,N/m,7,yes,F = k·s\r\n\
                  ann,hooke,2026-11-24 15:58:21,,,,stretch,0.6,m,9,no,F = k·s\r\n";
-    data.write(
-        "ann/results/ann.csv",
-        &format!("{ANSWERS}{hooke}ann,lift,2026-11-24 15:58:22,heavier,2026-11-24 15:58:00,,,,,,,N = m·(g + a)\r\n"),
-    );
+    let lift = "ann,lift,2026-11-24 15:58:22,heavier,2026-11-24 15:58:00,,,,,,,N = m·(g + a)\r\n";
+    data.write("ann/results/ann.csv", &format!("{ANSWERS}{hooke}{lift}"));
     data.write("bob/attempts.csv", &format!("{ATTEMPTS}2,bob,completed,8.000,0.5,0,,FALSE\n"));
-    // A copy of ann's answers, and one more.
-    data.write(
-        "bob/bob.csv",
-        &format!("{ANSWERS}{hooke}bob,hooke,2026-11-24 16:00:00,'=50,2026-11-24 15:59:00,yes,force,80,N/m,3,no,F = k·s\r\n"),
-    );
+    let bobs = "bob,hooke,2026-11-24 16:00:00,'=50,2026-11-24 15:59:00,yes,force,80,N/m,3,no,F = k·s\r\n";
+    data.write("bob/bob.csv", &format!("{ANSWERS}{hooke}{bobs}"));
     data
 }
 
@@ -102,7 +97,6 @@ fn rows_that_cannot_be_read_are_named_and_the_others_count() {
     assert_eq!(said.len(), 8, "{said:#?}");
     assert!(sums.out.contains("\n2            1      1          0   0 %"), "{}", sums.out);
     assert!(sums.out.contains("\nhooke             1        1 "), "{}", sums.out);
-    // Another table that is named, one that is not there, and a folder in place of a list.
     let other = data.resultant(&["stats", &data.arg("ann/scores/2.csv"), &data.arg("bob")]);
     assert!(other.status == 1 && other.err.contains("2.csv:1: found another table"), "{other:?}");
     assert!(other.out.contains("hooke"), "{other:?}");
@@ -129,7 +123,6 @@ fn lists_count_at_any_depth_and_each_once() {
     assert_eq!((sums.status, sums.out.as_str(), sums.err.as_str()), (0, format!("{LEVELS}\n{EXPERIMENTS}").as_str(), ""));
 }
 
-/// Lists as no reader takes them, in a folder with a whole one.
 #[test]
 fn a_list_that_cannot_be_read_is_named_and_no_sums_pass_for_whole() {
     let data = class();
@@ -176,7 +169,6 @@ fn what_leads_nowhere_or_is_no_file_is_named() {
     assert_eq!((named, sums.err.lines().count()), (vec![true; 4], 4), "{sums:?}");
 }
 
-/// An error of the disk while a folder is listed.
 #[cfg(all(target_os = "linux", target_arch = "x86_64"))]
 #[test]
 fn a_folder_that_cannot_be_listed_is_named() {
@@ -199,7 +191,6 @@ fn a_folder_that_cannot_be_listed_is_named() {
             status.code() == Some(1)
         })
         .collect();
-    // ann, ann/results and ann/scores, each with two calls.
     assert_eq!(faults.len(), 6, "{faults:?}");
 }
 
@@ -225,7 +216,6 @@ fn no_command_reads_its_own_outputs() {
             assert!(ran.status > 0 && !ran.err.is_empty() && ran.out.lines().count() < 2, "{line:?}: {ran:?}");
         }
     }
-    // Inputs that are passed on are read.
     let list = data.arg("bob/bob.csv");
     for path in ["/dev/stdin", "/dev/fd/0"] {
         let mut command = data.command(&["stats", path]);

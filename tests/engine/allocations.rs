@@ -19,7 +19,6 @@ fn a_warm_step_allocates_nothing() {
     }
 }
 
-/// The thread that plays must not wait for memory.
 #[cfg(feature = "window")]
 #[test]
 fn the_mixer_allocates_nothing() {

@@ -1,7 +1,7 @@
 //! Scenes in which this engine once failed, or in which engines fail: tunnelling, results that depend on the tick, infinities, time that
 //! stands still.
 
-use crate::support::{Ask, BODY, G, Random, TICK, area, block, crate_at, floor, pool, run, world};
+use crate::support::{Ask, BODY, G, Random, TICK, area, block, crate_at, elastic, floor, pool, run, v, world};
 use resultant::physics::{BodyDef, BodyId, DVec2, Guards, Material, StreamDef, WorldDef};
 
 /// Neighbours were once sought along weight and drive alone, and buoyancy shot a light cube through the lid.
@@ -25,11 +25,7 @@ fn a_light_cube_under_water_stays_under_a_thin_lid() {
 #[test]
 fn something_heavy_that_flies_into_something_light_in_air_stays_finite() {
     for (hz, air, heavy, speed) in [(120.0, 1.2041, 100.0, 300.0), (120.0, 65.0, 100.0, 20.0), (30.0, 1.2041, 100.0, 100.0)] {
-        let at = |x: f64, mass: f64, speed: f64| BodyDef {
-            velocity: DVec2::new(speed, 0.0),
-            restitution: 1.0,
-            ..crate_at(x, 0.0, mass)
-        };
+        let at = |x: f64, mass: f64, speed: f64| elastic(v(x, 0.0), mass, speed);
         let bodies = vec![at(0.0, heavy, speed), at(1.5, 1e-3, 0.0)];
         let mut world = world(WorldDef { gravity: 0.0, air_density: air, bodies, ..WorldDef::default() });
         run(&mut world, 1.0, 1.0 / hz);
@@ -108,8 +104,7 @@ fn something_light_and_fast_on_something_heavy_in_thick_liquid_stays_finite() {
         for density in [1.0, 1000.0] {
             for mass in [1e-6, 1e-3, 0.01] {
                 for speed in [500.0, 1e6] {
-                    let dart =
-                        BodyDef { velocity: DVec2::new(speed, 0.1 * speed), half: DVec2::splat(0.1), ..crate_at(0.0, 3.9, mass) };
+                    let dart = BodyDef { velocity: v(speed, 0.1 * speed), half: DVec2::splat(0.1), ..crate_at(0.0, 3.9, mass) };
                     let surfaces = vec![block(-20.0, 5.0, 20.0, 6.0)];
                     let fluids = vec![pool(density, viscosity)];
                     let mut world =
@@ -142,7 +137,6 @@ fn any_tick_rate_will_do() {
     }
 }
 
-/// Against a wall of 5 cm.
 #[test]
 fn nothing_tunnels_far_from_the_origin() {
     for distance in [0.0, 1e4, 1e5, 1e6, 1e7] {
@@ -187,13 +181,7 @@ fn what_goes_to_and_fro_between_walls_is_where_its_way_says_at_any_speed() {
 fn what_bounces_in_front_of_something_heavy_keeps_what_drag_leaves_it() {
     let (fast, bounce, time, half) = (10.0, 0.2, 1e-3, DVec2::splat(0.3));
     let def = || {
-        let of = |x: f64, mass: f64, v: f64| BodyDef {
-            restitution: 1.0,
-            drag: 1.05,
-            velocity: DVec2::new(v, 0.0),
-            half,
-            ..crate_at(x, 0.0, mass)
-        };
+        let of = |x: f64, mass: f64, speed: f64| BodyDef { drag: 1.05, half, ..elastic(v(x, 0.0), mass, speed) };
         WorldDef { gravity: 0.0, bodies: vec![of(0.0, 1e6, fast), of(0.6, 1e-3, fast + bounce)], ..WorldDef::default() }
     };
     let k = 0.5 * def().air_density * 1.05 * 0.6 / 1e-3;
@@ -201,9 +189,7 @@ fn what_bounces_in_front_of_something_heavy_keeps_what_drag_leaves_it() {
     let expected = bounce * (-rate * time / 3.0).exp();
     for ticks in [1, 2, 1000] {
         let mut world = world(def());
-        for _ in 0..ticks {
-            world.step(time / f64::from(ticks));
-        }
+        (0..ticks).for_each(|_| world.step(time / f64::from(ticks)));
         let [heavy, light] = [0, 1].map(|i| world.body(BodyId(i)));
         let (gap, speed) = (light.position.x - heavy.position.x - 0.6, light.velocity.x - heavy.velocity.x);
         // The speed with which it is back.

@@ -1,12 +1,12 @@
 //! Worlds of many bodies: the crowd step behind the same world, forces and events as the exact method; each of many bodies flies, and crosses
 //! the borders of streams and liquids within a tick, as one alone does.
 
-use crate::support::dense::{G, scene, square, surface};
-use crate::support::{Ask, TICK, area, assert_all_at_rest, from_below, worst_overlap};
+use crate::support::dense::{G, scene, square};
+use crate::support::{Ask, TICK, area, assert_all_at_rest, block, from_below, worst_overlap};
 use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, Event, FluidDef, ForceKind, StreamDef, SurfaceDef, World, WorldDef};
 
 fn pit(width: f64) -> Vec<SurfaceDef> {
-    vec![surface(-1.0, 0.0, width + 1.0, 1.0), surface(-1.0, -200.0, 0.0, 0.0), surface(width, -200.0, width + 1.0, 0.0)]
+    vec![block(-1.0, 0.0, width + 1.0, 1.0), block(-1.0, -200.0, 0.0, 0.0), block(width, -200.0, width + 1.0, 0.0)]
 }
 
 fn world(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>) -> World {
@@ -23,12 +23,10 @@ fn a_body_of_a_crowd_that_is_driven_against_a_ceiling_is_held_there() {
     let mut bodies: Vec<BodyDef> = (0..100).map(bystander).collect();
     bodies[0] = square(5.0, -3.0);
     let mut surfaces = pit(60.0);
-    surfaces.push(surface(0.0, -6.0, 10.0, -5.0));
+    surfaces.push(block(0.0, -6.0, 10.0, -5.0));
     let mut world = world(bodies, surfaces);
     world.drive(0, 0.0, -25.0);
-    for _ in 0..240 {
-        world.step(TICK);
-    }
+    (0..240).for_each(|_| world.step(TICK));
     let forces = world.forces(BodyId(0));
     assert_eq!(world.body(BodyId(0)).bounds().min.y, -5.0);
     assert_eq!((world.speed(0), forces.resultant()), (DVec2::ZERO, DVec2::ZERO));
@@ -212,7 +210,7 @@ fn a_splash_and_what_floats_are_as_alone() {
 /// A touching body's exact path is not sought, and the end of a slide is no event: the error is millimetres, where sampling costs centimetres.
 #[test]
 fn a_slide_through_a_stream_is_much_as_alone() {
-    let floor = surface(-100.0, 0.0, 100.0, 1.0);
+    let floor = block(-100.0, 0.0, 100.0, 1.0);
     let streams = vec![wind(area(1.0, -2.0, 3.0, -0.2), 500.0, 0.0)];
     let body = BodyDef { velocity: DVec2::new(9.0, 0.0), mass: 10.0, feels_air: false, ..square(0.0, -0.5) };
     let apart = apart(body, streams, Vec::new(), vec![floor], 120.0, 4.0);
@@ -222,7 +220,7 @@ fn a_slide_through_a_stream_is_much_as_alone() {
 /// A stream right below the floor never reaches the bodies on the floor.
 #[test]
 fn what_rests_crosses_nothing() {
-    let floor = surface(-1000.0, 0.0, 1000.0, 1e-4);
+    let floor = block(-1000.0, 0.0, 1000.0, 1e-4);
     let bodies = (0..100).map(|i| square(2.0 * f64::from(i), -0.5));
     let streams = vec![wind(area(-1000.0, 1e-4, 1000.0, 5.0), 5000.0, -5000.0)];
     let def = WorldDef { gravity: G, bodies: bodies.collect(), surfaces: vec![floor], streams, ..WorldDef::default() };
@@ -236,7 +234,7 @@ fn what_rests_crosses_nothing() {
 
 /// A pit of that width with its bottom at 10 m, filled with water up to `level`.
 fn full_pit(width: f64, level: f64, bodies: Vec<BodyDef>) -> World {
-    let wall = |left: f64, top: f64, right: f64| surface(left, top, right, if top < 0.0 { 10.0 } else { 11.0 });
+    let wall = |left: f64, top: f64, right: f64| block(left, top, right, if top < 0.0 { 10.0 } else { 11.0 });
     let surfaces = vec![wall(-1.0, 10.0, width + 1.0), wall(-1.0, -20.0, 0.0), wall(width, -20.0, width + 1.0)];
     let fluids = vec![FluidDef { zone: area(0.0, level, width, 10.0), density: 1000.0, viscosity: 0.001 }];
     World::new(WorldDef { gravity: G, air_density: 1.2, bodies, surfaces, fluids, ..WorldDef::default() }).unwrap()

@@ -1,7 +1,7 @@
 //! The laws of the dense method, one by one, against exact answers.
 
-use crate::support::dense::{G, restless, scene, square, surface};
-use crate::support::{Ask, Random, TICK as DT, area, energy, room};
+use crate::support::dense::{G, restless, scene, square};
+use crate::support::{Ask, Random, TICK as DT, area, block, energy, room};
 use resultant::physics::{BodyDef, DVec2, Material, SurfaceDef, World};
 
 fn pile(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>, gravity: f64) -> World {
@@ -14,12 +14,11 @@ fn run(pile: &mut World, seconds: f64) {
 
 /// An endless wall whose left side is at x = 0.
 fn wall() -> Vec<SurfaceDef> {
-    vec![surface(0.0, -100.0, 1.0, 100.0)]
+    vec![block(0.0, -100.0, 1.0, 100.0)]
 }
 
-/// A body that bounces on a floor 10 m wide from a height, m.
 fn bouncing(restitution: f64, height: f64) -> World {
-    pile(vec![BodyDef { restitution, ..square(0.0, -0.5 - height) }], vec![surface(-5.0, 0.0, 5.0, 1.0)], G)
+    pile(vec![BodyDef { restitution, ..square(0.0, -0.5 - height) }], vec![block(-5.0, 0.0, 5.0, 1.0)], G)
 }
 
 /// The height that a bouncing body's energy carries it to, m.
@@ -39,7 +38,7 @@ fn a_wall_holds_what_is_stacked_on_what_it_holds() {
 
 #[test]
 fn a_ceiling_holds_by_friction() {
-    let mut one = pile(vec![square(0.0, 0.5)], vec![surface(-50.0, -1.0, 50.0, 0.0)], G);
+    let mut one = pile(vec![square(0.0, 0.5)], vec![block(-50.0, -1.0, 50.0, 0.0)], G);
     one.drive(0, 8.0, -G - 10.0);
     run(&mut one, 1.0);
     assert_eq!(one.state(0), (DVec2::new(0.0, 0.5), DVec2::ZERO));
@@ -52,7 +51,7 @@ fn a_ceiling_holds_by_friction() {
 #[test]
 fn bodies_side_by_side_rub() {
     let bodies = vec![square(-1.0, -0.5), BodyDef { half: DVec2::new(0.5, 0.2), ..square(0.0, -0.7) }, square(1.0, -0.5)];
-    let mut three = pile(bodies, vec![surface(-10.0, 0.0, 10.0, 1.0)], G);
+    let mut three = pile(bodies, vec![block(-10.0, 0.0, 10.0, 1.0)], G);
     three.drive(0, 30.0, 0.0);
     three.drive(2, -30.0, 0.0);
     run(&mut three, 0.5);
@@ -65,7 +64,7 @@ fn a_standing_body_holds_by_friction() {
     for (mass, press, holds) in [(1.0, 30.0, true), (0.1, 30.0, true), (8.0, 120.0, true), (1.0, 8.0, false), (5.0, 8.0, false)] {
         let bodies =
             vec![BodyDef { mass, ..square(-0.5, -10.6) }, BodyDef { half: DVec2::new(0.5, 8.0), mass: 20.0, ..square(0.5, -8.0) }];
-        let mut two = pile(bodies, vec![surface(-50.0, 0.0, 50.0, 1.0), surface(1.0, -100.0, 2.0, 0.0)], G);
+        let mut two = pile(bodies, vec![block(-50.0, 0.0, 50.0, 1.0), block(1.0, -100.0, 2.0, 0.0)], G);
         two.drive(0, press, 0.0);
         run(&mut two, 1.0);
         let (x, v) = two.state(0);
@@ -97,7 +96,7 @@ fn a_row_hangs_on_a_wall() {
 fn a_bounce_rubs() {
     for (e, sliding) in [(0.5, 10.0), (1.0, 10.0), (0.8, 4.0)] {
         let body = BodyDef { velocity: DVec2::new(sliding, 8.0), restitution: e, ..square(0.0, -1.0) };
-        let mut one = pile(vec![body], vec![surface(-50.0, 0.0, 50.0, 1.0)], 0.0);
+        let mut one = pile(vec![body], vec![block(-50.0, 0.0, 50.0, 1.0)], 0.0);
         run(&mut one, 0.5);
         let left = sliding - (0.65 * (1.0 + e) * 8.0_f64).min(sliding);
         assert!((one.speed(0) - DVec2::new(left, -8.0 * e)).length() < 1e-12, "{} {left}", one.speed(0));
@@ -124,7 +123,6 @@ fn an_elastic_row_keeps_momentum_and_energy() {
     }
 }
 
-/// Without friction.
 const SMOOTH: Material = Material { name: "", static_friction: 0.0, kinetic_friction: 0.0, restitution: 0.0 };
 
 #[test]
@@ -187,10 +185,10 @@ fn an_elastic_bounce_never_ends() {
 #[test]
 fn two_corners_hold_nothing_in_the_air() {
     for turned in [1.0, -1.0] {
-        let walls = [surface(0.0, 0.0, 1.0, 10.0), surface(1.0, -0.5, 11.0, 10.0)];
+        let walls = [block(0.0, 0.0, 1.0, 10.0), block(1.0, -0.5, 11.0, 10.0)];
         let [low, high] = walls.map(|wall| match turned > 0.0 {
             true => wall,
-            false => surface(-wall.bounds.max.x, wall.bounds.min.y, -wall.bounds.min.x, wall.bounds.max.y),
+            false => block(-wall.bounds.max.x, wall.bounds.min.y, -wall.bounds.min.x, wall.bounds.max.y),
         });
         let mut one = pile(vec![square(-0.5 * turned, -1.0)], vec![low, high], 0.0);
         one.drive(0, 60_000.0 * turned, 50_000.0);
@@ -214,12 +212,12 @@ fn seams_are_not_felt() {
                     if of_bodies {
                         bodies.push(BodyDef { mass: 1.0, ..square(left + 0.5, 0.5) });
                     } else {
-                        surfaces.push(surface(left, 0.0, left + tile, 1.0));
+                        surfaces.push(block(left, 0.0, left + tile, 1.0));
                     }
                 }
                 if of_bodies {
-                    surfaces.push(surface(origin - 50.0, 1.0, origin + 90.0, 2.0));
-                    surfaces.push(surface(origin + 34.0 + 1.0, 0.0, origin + 90.0, 1.0));
+                    surfaces.push(block(origin - 50.0, 1.0, origin + 90.0, 2.0));
+                    surfaces.push(block(origin + 34.0 + 1.0, 0.0, origin + 90.0, 1.0));
                     bodies.truncate(41);
                 }
                 let mut scene = pile(bodies, surfaces, G);

@@ -1,8 +1,8 @@
 //! Surfaces that move, run belts, are solid from some sides only or not there; the impulses that contacts list; and islands, each of which
 //! sleeps for itself and changes no bit of another.
 
-use crate::support::dense::{G, dense, empty, rain_into, restless, scene, square, surface};
-use crate::support::{Ask, Random, TICK as DT, crushed};
+use crate::support::dense::{G, dense, empty, rain_into, restless, scene, square};
+use crate::support::{Ask, Random, TICK as DT, block, crushed};
 use resultant::physics::{BodyDef, BodyId, DVec2, Leg, Material, Path, Sides, Source, SurfaceDef, World, WorldDef};
 
 fn pile(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>, gravity: f64) -> World {
@@ -18,7 +18,7 @@ fn led(surface: SurfaceDef, legs: &[(f64, DVec2, DVec2)]) -> SurfaceDef {
 #[test]
 fn a_platform_takes_its_riders_along() {
     let legs = [(1.0, DVec2::ZERO, DVec2::new(3.0, 0.0)), (1.0, DVec2::new(3.0, 0.0), DVec2::ZERO)];
-    let mut scene = pile(vec![square(0.0, -0.5), square(0.1, -1.5)], vec![led(surface(-2.0, 0.0, 2.0, 1.0), &legs)], G);
+    let mut scene = pile(vec![square(0.0, -0.5), square(0.1, -1.5)], vec![led(block(-2.0, 0.0, 2.0, 1.0), &legs)], G);
     scene.steps(239, DT);
     let x = scene.surfaces()[0].bounds.centre().x;
     for (i, offset) in [(0, 0.0), (1, 0.1)] {
@@ -32,7 +32,7 @@ fn a_platform_takes_its_riders_along() {
 #[test]
 fn the_sides_of_a_belt_carry() {
     for (x, press, runs) in [(1.5, -40.0, 2.0), (-1.5, 40.0, -2.0)] {
-        let mut scene = pile(vec![square(x, 0.0)], vec![surface(-1.0, -90.0, 1.0, 90.0)], G);
+        let mut scene = pile(vec![square(x, 0.0)], vec![block(-1.0, -90.0, 1.0, 90.0)], G);
         scene.set_belt(0, 2.0);
         scene.drive(0, press, 0.0);
         scene.steps(240, DT);
@@ -40,14 +40,13 @@ fn the_sides_of_a_belt_carry() {
     }
 }
 
-/// At any speed it passes nothing.
 #[test]
 fn a_moving_wall_pushes_and_passes_nothing() {
     for speed in [1.0, 30.0, 300.0, 5000.0] {
         for e in [0.0, 0.5, 1.0] {
-            let wall = SurfaceDef { path: Path::steady(DVec2::new(speed, 0.0)), ..surface(0.0, -3.0, 0.05, 0.0) };
+            let wall = SurfaceDef { path: Path::steady(DVec2::new(speed, 0.0)), ..block(0.0, -3.0, 0.05, 0.0) };
             let bodies = (0..4).map(|i| BodyDef { restitution: e, ..square(2.0 + 1.7 * f64::from(i), -0.5) }).collect();
-            let mut scene = pile(bodies, vec![surface(-1e7, 0.0, 1e7, 1.0), wall], G);
+            let mut scene = pile(bodies, vec![block(-1e7, 0.0, 1e7, 1.0), wall], G);
             let mut x = 0.025;
             for step in 0..240 {
                 x += speed * DT;
@@ -68,8 +67,8 @@ fn a_moving_wall_pushes_and_passes_nothing() {
 #[test]
 fn a_one_way_platform() {
     let ball = BodyDef { velocity: DVec2::new(0.0, -12.0), ..square(0.0, -0.5) };
-    let platform = SurfaceDef { sides: Sides::TOP, ..surface(-5.0, -3.0, 5.0, -2.9) };
-    let mut scene = pile(vec![ball], vec![surface(-5.0, 0.0, 5.0, 1.0), platform], G);
+    let platform = SurfaceDef { sides: Sides::TOP, ..block(-5.0, -3.0, 5.0, -2.9) };
+    let mut scene = pile(vec![ball], vec![block(-5.0, 0.0, 5.0, 1.0), platform], G);
     let mut top = 0.0f64;
     for _ in 0..480 {
         scene.step(DT);
@@ -86,8 +85,8 @@ fn a_one_way_platform() {
 fn what_is_squeezed_stops_the_press() {
     for stack in [1, 3] {
         let bodies = (0..stack).map(|i| square(0.0, -0.5 - f64::from(i))).collect();
-        let press = SurfaceDef { path: Path::steady(DVec2::new(0.0, 5.0)), ..surface(-5.0, -10.0, 5.0, -9.0) };
-        let mut scene = pile(bodies, vec![surface(-5.0, 0.0, 5.0, 1.0), press], G);
+        let press = SurfaceDef { path: Path::steady(DVec2::new(0.0, 5.0)), ..block(-5.0, -10.0, 5.0, -9.0) };
+        let mut scene = pile(bodies, vec![block(-5.0, 0.0, 5.0, 1.0), press], G);
         let mut squeezed = 0;
         for step in 0..240 {
             scene.step(DT);
@@ -104,7 +103,6 @@ fn what_is_squeezed_stops_the_press() {
     }
 }
 
-/// Friction that is the same whether something slides or not.
 const EVEN: Material = Material { name: "", static_friction: 0.65, kinetic_friction: 0.65, restitution: 0.0 };
 
 /// A heap that a lift raises under an open sky, while more rains on it: nobody is squeezed, and the lift never waits.
@@ -114,8 +112,8 @@ fn a_lift_under_the_open_sky_squeezes_nobody() {
     for seed in 1..=12 {
         let mut def = rain_into(0.0, 300, 18, (1.0, 1.0), Random(seed), 0.3);
         def.bodies.iter_mut().for_each(|body| body.material = EVEN);
-        let wall = |x: f64| surface(x - 0.5, -2000.0, x + 0.5, 0.0);
-        let surfaces = [wall(-0.5), wall(13.1), surface(0.001, 0.0, 12.599, 1.0)];
+        let wall = |x: f64| block(x - 0.5, -2000.0, x + 0.5, 0.0);
+        let surfaces = [wall(-0.5), wall(13.1), block(0.001, 0.0, 12.599, 1.0)];
         def.surfaces = surfaces.map(|surface| SurfaceDef { material: EVEN, ..surface }).into();
         // Up by 2 m in 2 s and down again, speeding up and slowing down by 2 m/s².
         def.surfaces[2].path = Path::shuttle(DVec2::new(0.0, -2.0), 2.0, 1.0, 0.0);
@@ -141,9 +139,9 @@ fn what_contacts_gave_adds_up() {
                 ..square(f64::from(i % 8), -1.0 - f64::from(i / 8))
             })
             .collect();
-        let mut surfaces = vec![surface(-20.0, 0.0, 30.0, 1.0)];
+        let mut surfaces = vec![block(-20.0, 0.0, 30.0, 1.0)];
         if walls {
-            surfaces.extend([surface(-1.5, -100.0, -0.5, 0.0), surface(7.5, -100.0, 8.5, 0.0)]);
+            surfaces.extend([block(-1.5, -100.0, -0.5, 0.0), block(7.5, -100.0, 8.5, 0.0)]);
         }
         let mut scene = pile(bodies, surfaces, G);
         scene.drive(3, 200.0, 0.0);
@@ -174,7 +172,6 @@ fn what_contacts_gave_adds_up() {
 
 const STEP: f64 = 1.0 / 60.0;
 
-/// Adds boxes that rain into a pit whose left edge is at `left`.
 fn pit(def: &mut WorldDef, left: f64, n: usize, seed: u64, restitution: f64) {
     let columns = (n as f64).sqrt().ceil() as usize;
     let rain = rain_into(left, n, columns, (0.5, 20.5), Random(seed), restitution);
@@ -232,7 +229,7 @@ fn what_is_added_before_changes_no_bit() {
 fn a_settled_pile_sleeps_beside_one_that_does_not() {
     let mut def = WorldDef { rest_speed: 0.0, ..empty() };
     pit(&mut def, 0.0, 60, 5, 0.0);
-    def.surfaces.push(surface(400.0, 0.0, 410.0, 1.0));
+    def.surfaces.push(block(400.0, 0.0, 410.0, 1.0));
     def.bodies.push(BodyDef { position: DVec2::new(405.0, -3.0), restitution: 1.0, ..BodyDef::default() });
     let mut pile = dense(def);
     pile.steps(600, STEP);

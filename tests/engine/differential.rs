@@ -9,7 +9,6 @@ use crate::support::turned::{mirrored, reversed, shifted};
 use crate::support::{Ask, G, Random, TICK, area, crowd, momentum, room as walls};
 use resultant::physics::{BodyId, DVec2, ForceKind, Plan, World, WorldDef};
 
-/// The same scene event by event and dense.
 fn twins(scene: &Scene) -> [World; 2] {
     [false, true].map(|dense| {
         let plan = Plan { dense, ..Plan::of(&scene.def) };
@@ -148,7 +147,6 @@ fn touches(world: &World) -> Vec<(usize, ForceKind, String)> {
     (0..world.bodies().len()).flat_map(of).collect()
 }
 
-/// One tick of a state by a plan.
 fn tick(def: &WorldDef, dense: bool) -> World {
     let mut world = World::with_plan(def.clone(), Plan { dense, ..Plan::of(def) }).unwrap();
     world.step(TICK);

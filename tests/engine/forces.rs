@@ -86,7 +86,6 @@ fn the_order_of_adding_changes_no_bit() {
     assert_eq!(sum([0, 1, 2, 3]), sum([2, 3, 1, 0]));
 }
 
-/// It also wakes a resting body.
 #[test]
 fn an_added_push_moves_the_body() {
     let (bodies, surfaces) = (vec![crate_at(0.0, -0.5, 10.0)], vec![block(-50.0, 0.0, 50.0, 1.0)]);

@@ -1,9 +1,8 @@
 //! The golden numbers of the engine: each comes out of the force manager or of a step, never from a copy of the formula.
 
-use crate::support::{Ask, BODY, TICK, area, block, crate_at};
+use crate::support::{Ask, BODY, TICK, area, block, crate_at, elastic, v};
 use resultant::physics::{BodyDef, BodyId, DVec2, Event, ForceKind, StreamDef, SurfaceDef, World, WorldDef};
 
-/// A floor with its middle at x = 0.
 fn floor(width: f64) -> SurfaceDef {
     block(-width / 2.0, 0.0, width / 2.0, 1.0)
 }
@@ -124,8 +123,7 @@ fn a_stream_gives_everything_the_same_wind() {
 
 #[test]
 fn an_elastic_collision_conserves_momentum_and_energy() {
-    let body = |x: f64, v: f64, mass| BodyDef { velocity: DVec2::new(v, 0.0), restitution: 1.0, ..crate_at(x, 0.0, mass) };
-    let bodies = vec![body(-1.0, 25.7, 75.0), body(1.0, -11.3, 150.0)];
+    let bodies = vec![elastic(v(-1.0, 0.0), 75.0, 25.7), elastic(v(1.0, 0.0), 150.0, -11.3)];
     let mut world = World::new(WorldDef { gravity: 0.0, air_density: 0.0, bodies, ..WorldDef::default() }).unwrap();
     world.steps(60, TICK);
     let v = [0, 1].map(|id| world.body(BodyId(id)).velocity.x);

@@ -1,28 +1,22 @@
 //! Many bodies at once: nothing overlaps, nothing passes through, everything comes to rest, the same bits every time.
 
-use crate::support::dense::{self, all_asleep, dense, empty, restless, surface};
-use crate::support::{Ask, Random, assert_all_at_rest, energy, worst_overlap};
+use crate::support::dense::{self, all_asleep, dense, empty, restless};
+use crate::support::{Ask, Random, assert_all_at_rest, block, crate_at, energy, worst_overlap};
 use resultant::physics::{BodyDef, DVec2, World, WorldDef};
 
 const DT: f64 = 1.0 / 60.0;
 const MOST_OVERLAP: f64 = 1e-6;
 
-fn square(x: f64, y: f64, mass: f64) -> BodyDef {
-    BodyDef { position: DVec2::new(x, y), mass, ..BodyDef::default() }
-}
-
-/// Boxes of 0.3 to 0.6 m raining into a pit.
 fn rain(n: usize, masses: (f64, f64), restitution: f64) -> WorldDef {
     rain_into(n, (n as f64).sqrt().ceil() as usize, 7, masses, restitution)
 }
 
-/// The same into a pit that is `columns` boxes wide.
 fn rain_into(n: usize, columns: usize, seed: u64, masses: (f64, f64), restitution: f64) -> WorldDef {
     dense::rain_into(0.0, n, columns, masses, Random(seed), restitution)
 }
 
 fn floor(bodies: Vec<BodyDef>) -> WorldDef {
-    WorldDef { bodies, surfaces: vec![surface(-100.0, 0.0, 100.0, 1.0)], ..empty() }
+    WorldDef { bodies, surfaces: vec![block(-100.0, 0.0, 100.0, 1.0)], ..empty() }
 }
 
 /// Runs until all sleep; asserts that nothing ever overlaps and that energy, kinetic and potential, never rises.
@@ -140,7 +134,7 @@ fn sleep_changes_no_bit() {
 #[test]
 fn static_friction_holds_a_row_below_its_limit_to_the_bit() {
     let limit = 0.9 * 9.81 * 2.0 * 5.0;
-    let mut pile = dense(floor((0..5).map(|i| square(f64::from(i), -0.5, 2.0)).collect()));
+    let mut pile = dense(floor((0..5).map(|i| crate_at(f64::from(i), -0.5, 2.0)).collect()));
     pile.drive(0, 0.99 * limit, 0.0);
     pile.steps(1200, DT);
     (0..5).for_each(|i| assert_eq!(pile.at(i), DVec2::new(i as f64, -0.5)));
@@ -152,7 +146,7 @@ fn static_friction_holds_a_row_below_its_limit_to_the_bit() {
 
 #[test]
 fn a_tower_is_dragged_along() {
-    let mut pile = dense(floor((0..10).map(|i| square(0.0, -0.5 - f64::from(i), 1.0)).collect()));
+    let mut pile = dense(floor((0..10).map(|i| crate_at(0.0, -0.5 - f64::from(i), 1.0)).collect()));
     pile.drive(0, 10.0 * (0.65 + 0.3) * 9.81, 0.0);
     pile.steps(60, DT);
     (0..10).for_each(|i| assert!((pile.speed(i).x - 0.3 * 9.81).abs() < 1e-9, "body {i}: {}", pile.speed(i).x));
@@ -162,7 +156,7 @@ fn a_tower_is_dragged_along() {
 fn a_drive_pushes_into_the_pile_from_any_side() {
     for direction in [DVec2::X, -DVec2::X, DVec2::Y, -DVec2::Y] {
         let mut def = rain(80, (0.5, 5.0), 0.3);
-        def.surfaces.push(surface(-1.0, -12.0, 20.0, -11.0));
+        def.surfaces.push(block(-1.0, -12.0, 20.0, -11.0));
         let mut pile = dense(def);
         pile.drive(0, 200.0 * direction.x, 200.0 * direction.y);
         for step in 0..400 {

@@ -2,15 +2,11 @@
 //! a scene comes with, and carries its share of the load from then on.
 
 use crate::support::turned::{mirrored, reversed};
-use crate::support::{Ask, G, area};
+use crate::support::{Ask, G, area, v};
 use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Material, Path, Source, StreamDef, SurfaceDef, World, WorldDef};
 
 /// m and m/s.
 const EXACT: f64 = 1e-9;
-
-fn v(x: f64, y: f64) -> DVec2 {
-    DVec2::new(x, y)
-}
 
 fn tile(left: f64, right: f64, material: Material) -> SurfaceDef {
     SurfaceDef::fixed(area(left, 0.0, right, 1.0), material)
@@ -37,34 +33,19 @@ fn scenes() -> Vec<(&'static str, WorldDef, DVec2)> {
     let on_lift = |x: f64, speed: f64| BodyDef { velocity: v(speed, -2.0), ..crate_at(x, 0.0) };
     let floor = |from: f64| tile(-30.0, from, asphalt);
     let none = DVec2::ZERO;
+    let slid = moving(tile(2.0, 6.0, wood), v(-1.7, 0.0));
+    let seams = (-9..9).map(|x| tile(f64::from(x), f64::from(x + 1), wood)).collect();
+    let row = [-4.2, -3.2, -2.2].map(|x| crate_at(x, 0.0)).to_vec();
+    let stacked = vec![BodyDef { position: v(-0.47, -1.5), ..crate_at(0.0, 3.0) }, crate_at(0.0, 0.0), crate_at(1.0, 0.0)];
     vec![
         ("a seam", scene(vec![floor(0.0), tile(0.0, 30.0, ice)], vec![crate_at(-3.13, 9.0)]), none),
         ("a belt that runs on", scene(vec![floor(0.0), belt(3.0)], vec![crate_at(-2.13, 7.0)]), none),
         ("a belt that runs back", scene(vec![floor(0.0), belt(-2.0)], vec![crate_at(-2.13, 7.0)]), none),
-        (
-            "a mover that slides under a crate",
-            scene(vec![floor(0.0), moving(tile(2.0, 6.0, wood), v(-1.7, 0.0))], vec![crate_at(0.3, 0.0)]),
-            none,
-        ),
+        ("a mover that slides under a crate", scene(vec![floor(0.0), slid], vec![crate_at(0.3, 0.0)]), none),
         ("from lift to lift", scene(vec![lift(-8.0, 0.0), lift(0.0, 8.0)], vec![on_lift(-2.37, 6.0)]), none),
-        (
-            "pushed over seams",
-            scene((-9..9).map(|x| tile(f64::from(x), f64::from(x + 1), wood)).collect(), vec![crate_at(-7.3, 0.0)]),
-            v(260.0, 0.0),
-        ),
-        (
-            "a pushed row",
-            scene(vec![floor(0.0), tile(0.0, 30.0, ice)], vec![crate_at(-4.2, 0.0), crate_at(-3.2, 0.0), crate_at(-2.2, 0.0)]),
-            v(900.0, 0.0),
-        ),
-        (
-            "a crate on crates",
-            scene(
-                vec![tile(-30.0, 30.0, asphalt)],
-                vec![BodyDef { position: v(-0.47, -1.5), ..crate_at(0.0, 3.0) }, crate_at(0.0, 0.0), crate_at(1.0, 0.0)],
-            ),
-            none,
-        ),
+        ("pushed over seams", scene(seams, vec![crate_at(-7.3, 0.0)]), v(260.0, 0.0)),
+        ("a pushed row", scene(vec![floor(0.0), tile(0.0, 30.0, ice)], row), v(900.0, 0.0)),
+        ("a crate on crates", scene(vec![tile(-30.0, 30.0, asphalt)], stacked), none),
     ]
 }
 

@@ -3,7 +3,6 @@
 use crate::support::{Ask, G, TICK, block};
 use resultant::physics::{BodyDef, BodyId, DVec2, ForceKind, Material, Obstacle, Plan, Source, SurfaceDef, World, WorldDef};
 
-/// Bodies without gravity and air.
 fn free(bodies: Vec<BodyDef>) -> WorldDef {
     WorldDef { gravity: 0.0, air_density: 0.0, bodies, ..WorldDef::default() }
 }
@@ -12,7 +11,6 @@ fn boxed(position: DVec2, half: DVec2, mass: f64, velocity: DVec2, restitution: 
     BodyDef { position, half, mass, velocity, restitution, ..BodyDef::default() }
 }
 
-/// All orders of `count` rows.
 fn orders(count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![Vec::new()];

@@ -50,13 +50,12 @@ fn no_time_is_lost_where_too_much_happens() {
         let world = play(&scene, |world, tick| {
             let near: Vec<Aabb> =
                 before.iter().zip(&scene.def.bodies).map(|((place, _), body)| Aabb::around(*place, body.half + 0.2)).collect();
-            let alone =
-                |i: usize| room.contains(&near[i], 0.0) && (0..near.len()).all(|j| j == i || !near[i].touches(&near[j], 0.0));
+            let far = |i: usize| room.contains(&near[i], 0.0) && (0..near.len()).all(|j| j == i || !near[i].touches(&near[j], 0.0));
             for (i, (place, velocity)) in before.iter_mut().enumerate() {
                 let body = world.body(BodyId(i as u32));
                 let id = BodyId(i as u32);
                 let struck = |impulse: &Impulse| impulse.a == id || impulse.b == Obstacle::Body(id);
-                let hit = !alone(i)
+                let hit = !far(i)
                     || world.impulses().iter().any(struck)
                     || velocity.length().max(body.velocity.length()) * scene.tick > 0.2;
                 looks += u32::from(!hit);

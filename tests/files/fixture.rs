@@ -29,14 +29,12 @@ impl Fixture {
         Self { root: tempfile::tempdir().unwrap() }
     }
 
-    /// One whose scores folder holds this file.
     pub fn with(file: &str, text: &str) -> Self {
         let fixture = Self::new();
         fixture.write(file, text);
         fixture
     }
 
-    /// Writes a file below the scores folder.
     pub fn write(&self, name: &str, text: &str) {
         fs::create_dir_all(self.file(name).parent().unwrap()).unwrap();
         fs::write(self.file(name), text).unwrap();

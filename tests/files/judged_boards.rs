@@ -24,7 +24,6 @@ fn first(scores: &Scores) -> Standing {
     judged(scores).0.remove(0)
 }
 
-/// A board of level 1, and the flights of its rows by their files.
 fn board(rows: &str, flights: &[(&str, &str)]) -> (Fixture, Scores) {
     let fixture = Fixture::with("1.csv", rows);
     flights.iter().for_each(|(file, text)| fixture.write(&format!("flights/1/{file}"), text));
@@ -32,7 +31,6 @@ fn board(rows: &str, flights: &[(&str, &str)]) -> (Fixture, Scores) {
     (fixture, scores)
 }
 
-/// The flight for gold, as that player's.
 fn gold_of(player: &str) -> Replay {
     Replay { player: Some(player.into()), ..record("1", "gold") }
 }
@@ -96,7 +94,6 @@ fn what_is_forged_is_found() {
         }
     };
     assert_eq!(doubt(&sound, &flown), None);
-    // The row's score alone.
     let raised = sound.replacen(&gold.score.to_string(), "20000", 1);
     assert_eq!(doubt(&raised, &flown), Some(Doubt::Score(20_000, gold.score)));
     // The record's, too: more than that time can bring, and, with the time, another score than the flight comes to.
@@ -105,7 +102,6 @@ fn what_is_forged_is_found() {
     let lower = sound.replacen(&gold.score.to_string(), "18000", 1);
     let forged = flown.replace(&format!("# score: {}", gold.score), "# score: 18000");
     assert!(matches!(doubt(&lower, &forged), Some(Doubt::Flown(Mismatch::End { .. }, None))));
-    // Its inputs.
     let other = flown.replacen("\n60,1,0,0,0\n10,", "\n61,1,0,0,0\n9,", 1);
     assert_ne!(other, flown);
     assert!(matches!(doubt(&sound, &other), Some(Doubt::Flown(Mismatch::Second(1, ..), None))));
@@ -116,7 +112,6 @@ fn what_is_forged_is_found() {
     let others = flown.replace("# player: ann\n", "# player: bob\n");
     assert_eq!(doubt(&sound, &others), Some(Doubt::Player(Some("bob".into()))));
     assert_eq!(doubt(&sound, &flown.replace("# player: ann\n", "")), Some(Doubt::Player(None)));
-    // The flight of another level.
     let elsewhere = Replay { score: gold.score, ..record("2", "gold") }.to_string();
     let hashes = Mismatch::Level(level_hash(&level("2")), level_hash(&level("1")));
     assert_eq!(doubt(&sound, &elsewhere), Some(Doubt::Flown(hashes, None)));
@@ -126,8 +121,7 @@ fn what_is_forged_is_found() {
     // A flight without its end is worth nothing.
     let failed = flown.replace("# outcome: completed", "# outcome: failed");
     assert_eq!(doubt(&sound, &failed), Some(Doubt::Unfinished(Outcome::Failed)));
-    let short: String =
-        flown.lines().filter(|line| !line.starts_with("# hash ")).take(13).map(|line| format!("{line}\n")).collect();
+    let short: String = flown.lines().filter(|line| !line.starts_with("# hash")).take(13).map(|line| format!("{line}\n")).collect();
     assert!(doubt(&sound, &short).is_some());
     // Another program's flight that departs says whose it was.
     let foreign = other.replace("# program: resultant", "# program: something");
@@ -135,17 +129,14 @@ fn what_is_forged_is_found() {
     // More points than any flight can have.
     let without = sound.replace(&name_of_flight, "").replace(&gold.score.to_string(), "21001");
     assert_eq!(doubt(&without, &flown), Some(Doubt::TooMuch(21_001, 21_000, None)));
-    // No flight where the row leads, or a way out of the folder.
     fs::remove_file(fixture.file(&flight)).unwrap();
     fixture.write("1.csv", &sound);
     assert!(matches!(first(&scores), Standing::Doubtful(Doubt::Unreadable(_))));
     for away in ["../../../1.csv", "/etc/passwd", "..", ".hidden.replay.csv", "sub/x.replay.csv", "C:x.replay.csv"] {
         fixture.write("1.csv", &sound.replace(&name_of_flight, away));
         let found = first(&scores);
-        assert!(
-            matches!(&found, Standing::Doubtful(Doubt::Unreadable(words)) if words.contains("expected a file's name")),
-            "{found:?}"
-        );
+        let Standing::Doubtful(Doubt::Unreadable(words)) = &found else { panic!("{found:?}") };
+        assert!(words.contains("expected a file's name"), "{words}");
     }
 }
 
@@ -189,11 +180,8 @@ fn a_forged_row_costs_no_more_than_the_honest_part_of_its_flight() {
     let hour = |ticks: u64, hashes: u64| {
         let time = ticks as f64 / 120.0;
         let seconds: String = (1..=hashes).map(|second| format!("# hash {second}: 0123456789abcdef\n")).collect();
-        without_hashes.replace("# time: 5\n", &format!("# time: {time}\n{seconds}")).replacen(
-            "\n60,1,0,0,0",
-            &format!("\n{},1,0,0,0", ticks - 540),
-            1,
-        )
+        let timed = without_hashes.replace("# time: 5\n", &format!("# time: {time}\n{seconds}"));
+        timed.replacen("\n60,1,0,0,0", &format!("\n{},1,0,0,0", ticks - 540), 1)
     };
     let one = |text: &str| {
         let score = text.lines().find_map(|line| line.strip_prefix("# score: ")).unwrap();
@@ -207,7 +195,6 @@ fn a_forged_row_costs_no_more_than_the_honest_part_of_its_flight() {
     // The same, with the time that they take: so slow a flight is not worth its score.
     let slow = hour(1_000_000_000, 0);
     assert!(matches!(one(&slow), (Standing::Doubtful(Doubt::TooMuch(18_222, 1000, Some(_))), 0)));
-    // With a score that it may have.
     let slow = slow.replace("# score: 18222", "# score: 1");
     assert_eq!(one(&slow), (Standing::Doubtful(Doubt::TooLong(1_000_000_000)), 0));
     // An hour of it, without the hashes of its seconds, and with some.
@@ -217,7 +204,6 @@ fn a_forged_row_costs_no_more_than_the_honest_part_of_its_flight() {
     // Before the first key: nothing of it counts as time, but it is flown.
     let idle = without_hashes.replace("\n60,1,0,0,0", "\n999999400,0,0,0,0\n60,1,0,0,0");
     assert_eq!(one(&idle), (Standing::Doubtful(Doubt::TooLong(1_000_000_000)), 0));
-    // The honest flight costs its ticks.
     assert_eq!(one(&text), (Standing::Proven, 600));
     // One that holds up to its end, at which it has not completed anything, is not flown.
     let mut game = Game::new(level("1")).unwrap();

@@ -34,7 +34,6 @@ fn quick<T>(what: &str, text: &str, read: impl FnOnce() -> T) -> T {
     answer
 }
 
-/// The row over and over, as often as it fits.
 fn filled(row: &str, bytes: u64) -> String {
     row.repeat(bytes as usize / row.len())
 }
@@ -80,7 +79,6 @@ fn level_tables() {
             ("player.csv", "1500,1500,100,500,3000\n".to_owned()),
             ("objectives.csv", "PLAYER,10,10,20,20\n".to_owned()),
         ];
-        // The first of a name is read.
         let problems = quick(&begins, &text, || level::read("l", &Memory(all))).map_or_else(|problems| problems.len(), |_| 0);
         assert!(problems <= 1001, "{begins}: {problems} problems");
     }

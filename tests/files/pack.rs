@@ -22,7 +22,6 @@ const LEVEL: [(&str, &str); 3] = [
     ("t/constants.csv", "width,800\nheight,600\n"),
 ];
 
-/// An archive of these entries.
 fn archive(entries: &[(&str, &[u8])]) -> Vec<u8> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, bytes) in entries {
@@ -32,13 +31,11 @@ fn archive(entries: &[(&str, &[u8])]) -> Vec<u8> {
     zip.finish().unwrap().into_inner()
 }
 
-/// The least level, and these beside it.
 fn with(entries: &[(&str, &[u8])]) -> Vec<u8> {
     let level = LEVEL.iter().map(|(name, text)| (*name, text.as_bytes()));
     archive(&level.chain(entries.iter().copied()).collect::<Vec<_>>())
 }
 
-/// The archive is refused in these words.
 #[track_caller]
 fn says(bytes: &[u8], words: &str) {
     let told = pack::read(bytes, "t").unwrap_err();
@@ -59,7 +56,6 @@ fn renamed(bytes: Vec<u8>, from: &[u8], to: &[u8]) -> Vec<u8> {
     patched(bytes, from, to)
 }
 
-/// Everything below a folder, by path.
 fn tree(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap().flatten() {
@@ -130,7 +126,6 @@ fn pictures_go_along_from_the_level_and_from_the_project() {
 #[test]
 fn what_could_do_harm_is_refused_with_its_name() {
     for (words, added) in [
-        // Ways out of the folder.
         ("stays in the level's folder", &["../x.csv", "t/../../x.csv", "/x.csv", "C:/x.csv", "t\\..\\x.csv"][..]),
         ("stays in the level's folder", &["t//x.csv", "t/./x.csv", "t/con.csv", "t/a:b.csv"]),
         // Files that belong to no level: programs, archives, flights of another kind.
@@ -165,7 +160,6 @@ fn what_could_do_harm_is_refused_with_its_name() {
         says(&with(&twice.map(|name| (name, &b"x"[..]))), "twice");
     }
     says(&renamed(with(&[("t/aaaa.csv", b"one"), ("t/bbbb.csv", b"two")]), b"t/bbbb.csv", b"t/aaaa.csv"), "one entry a name");
-    // Names that are no text.
     says(&renamed(with(&[("t/aaaa.csv", b"x")]), b"t/aaaa.csv", b"t/\xff\xfeaa.csv"), "UTF-8");
     // A pipe, and a device, by their modes, which stand in the high bytes of each entry's attributes.
     for kind in [0o010_000_u32, 0o020_000, 0o060_000, 0o140_000] {
@@ -174,11 +168,9 @@ fn what_could_do_harm_is_refused_with_its_name() {
         let mode = |kind: u32| ((kind | 0o644) << 16).to_le_bytes();
         says(&patched(made.finish().unwrap().into_inner(), &mode(0o100_000), &mode(kind)), "a pipe or a device");
     }
-    // Links.
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     zip.add_symlink("t/world.csv", "/etc/passwd", SimpleFileOptions::default()).unwrap();
     says(&zip.finish().unwrap().into_inner(), "a link");
-    // No archive at all, one that was cut off, one whose bytes were changed.
     says(b"", "no ZIP archive");
     says(b"PK\x03\x04 nothing", "no ZIP archive");
     let sound = with(&[]);
@@ -205,7 +197,6 @@ fn no_bit_that_is_turned_and_no_byte_makes_a_panic_or_a_file() {
             }
         }
     }
-    // All files are below the folder of levels.
     assert!(tree(elsewhere.path()).keys().all(|path| path.starts_with(elsewhere.path().join("a"))));
     let around: Vec<_> = fs::read_dir(elsewhere.path().join("a")).unwrap().flatten().map(|entry| entry.file_name()).collect();
     assert_eq!(around, ["levels"]);
@@ -213,13 +204,11 @@ fn no_bit_that_is_turned_and_no_byte_makes_a_panic_or_a_file() {
 
 #[test]
 fn bombs_do_not_go_off() {
-    // One file that unfolds to more than it may be.
     let zeros = vec![0; 40 << 20];
     let bomb = with(&[("t/big.png", &zeros)]);
     assert!(bomb.len() < 100_000, "{}", bomb.len());
     says(&bomb, "more than 16777216 bytes");
     says(&with(&[("t/world.csv", &zeros[..1 << 20])]), "more than 262144 bytes");
-    // Many that are allowed, each by itself.
     let names: Vec<String> = (0..5).map(|i| format!("t/{i}.png")).collect();
     let many: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), &zeros[..16 << 20])).collect();
     says(&with(&many), "67108864 bytes up to here, expected no more");
@@ -340,7 +329,6 @@ fn nothing_is_written_that_does_not_load_and_nothing_over_what_is_there() {
     assert!(wrong.starts_with("world.csv:2: column \"width\": found \"wide\""), "{wrong}");
     assert!(refused(&package(&[("t/flights/a.replay.csv", b"nothing")])).contains("flights/a.replay.csv:1"));
     assert!(refused(&package(&[("t/background.png", b"nothing")])).contains("background.png"));
-    // Folders named like a table, the background, or a picture that the project has as well.
     let shown = b"x,y,image\n300,10,assets/sails.png\n";
     fs::create_dir(folder.path().join("assets")).unwrap();
     fs::copy(fixtures().join("levels/15/sails.png"), folder.path().join("assets/sails.png")).unwrap();
@@ -354,7 +342,6 @@ fn nothing_is_written_that_does_not_load_and_nothing_over_what_is_there() {
     }
     fs::remove_dir_all(folder.path().join("assets")).unwrap();
     assert!(tree(folder.path()).keys().all(|path| *path == levels), "{:?}", tree(folder.path()).keys());
-    // Installed once; then it is there already; another one of that name is not written over it.
     let (first, second) = (package(&[]), package(&[("t/notes.txt", b"two")]));
     let install = |package: &Package, free| pack::install(package, &levels, folder.path(), free);
     assert_eq!(install(&first, false), Ok(Installed::New(levels.join("t"))));
@@ -365,7 +352,6 @@ fn nothing_is_written_that_does_not_load_and_nothing_over_what_is_there() {
     assert_eq!(tree(folder.path()), before, "nothing was written");
     assert_eq!(install(&second, true), Ok(Installed::New(levels.join("t-2"))));
     assert_eq!(install(&second, true), Ok(Installed::Already(levels.join("t-2"), vec![])));
-    // A folder that is empty, or a file, is somebody's too.
     fs::create_dir(levels.join("t-3")).unwrap();
     fs::write(levels.join("t-4"), "").unwrap();
     let third = package(&[("t/notes.txt", b"three")]);

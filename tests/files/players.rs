@@ -43,9 +43,8 @@ fn deeds_of_two_games_stand_in_one_file() {
     one.record(&[Deed::Chosen(name("ann")), done("ann", "1", 9.0)]).unwrap();
     two.record(&[Deed::Chosen(name("bob")), done("ann", "1", 8.0), done("bob", "2", 5.0)]).unwrap();
     let players = one.record(&[done("ann", "1", 8.5), done("ann", "3", 1.0)]).unwrap();
-    let expected =
-        "player,level,time,medal,mark\nbob,,,,\nbob,2,5.000,bronze,\nann,,,,\nann,1,8.000,bronze,\nann,3,1.000,bronze,\n";
-    assert_eq!(fixture.text("players.csv"), expected);
+    let wanted = "player,level,time,medal,mark\nbob,,,,\nbob,2,5.000,bronze,\nann,,,,\nann,1,8.000,bronze,\nann,3,1.000,bronze,\n";
+    assert_eq!(fixture.text("players.csv"), wanted);
     assert_eq!(one.players().unwrap(), (players, vec![]));
     assert_eq!(names(&fixture), ["players.csv"]);
 }

@@ -16,7 +16,6 @@ const ONCE_BROKEN: &str = include_str!("../fixtures/once_built.txt");
 
 const MATERIALS: [&str; 5] = ["", "Ice", "Trampoline", "Rubber", "Glass"];
 
-/// The rows that are added to the room.
 fn rows(random: &mut Random) -> Vec<(&'static str, String)> {
     let files = "world.csv movers.csv doors.csv switches.csv gravity.csv objects.csv hazards.csv pods.csv constants.csv".split(' ');
     let mut files: Vec<(&'static str, String)> = files.map(|file| (file, String::new())).collect();
@@ -31,20 +30,13 @@ fn rows(random: &mut Random) -> Vec<(&'static str, String)> {
         let (width, top) = (number(60.0, 140.0), number(450.0, 780.0));
         let (kind, material) = (number(0.0, 7.0), MATERIALS[number(0.0, 4.0) as usize]);
         let belt = number(1.0, 3.0);
+        let (right, up, above) = (left + 60.0, top - 90.0, top - 150.0);
         match kind as u32 {
-            0 => add(
-                "movers.csv",
-                format!("{left},{top},{width},30,{left} {},{},,0.25,0.5,,{material}", top - 150.0, number(1.0, 6.0)),
-            ),
-            1 => add(
-                "movers.csv",
-                format!(
-                    "{left},{top},60,60,{} {top};{left} {},,{},,,round,{material},,{belt},lift",
-                    left + 60.0,
-                    top - 90.0,
-                    number(2.0, 6.0)
-                ),
-            ),
+            0 => add("movers.csv", format!("{left},{top},{width},30,{left} {above},{},,0.25,0.5,,{material}", number(1.0, 6.0))),
+            1 => {
+                let way = format!("{right} {top};{left} {up},,{}", number(2.0, 6.0));
+                add("movers.csv", format!("{left},{top},60,60,{way},,,round,{material},,{belt},lift"));
+            }
             2 => add("doors.csv", format!("{left},{top},{width},20,gate,{material}")),
             3 => add("world.csv", format!("{left},{top},{width},20,{material},top,{belt}")),
             4 => add("world.csv", format!("{left},{top},{width},20,{material},,{belt},,mill")),
@@ -55,10 +47,8 @@ fn rows(random: &mut Random) -> Vec<(&'static str, String)> {
         for crate_ in 0..number(0.0, 4.0) as u32 {
             let (size, weightless) = (number(12.0, 40.0), if number(0.0, 5.0) == 0.0 { "TRUE" } else { "" });
             let (x, y) = (left + 25.0 + number(0.0, 30.0), top - 22.0 - 45.0 * f64::from(crate_));
-            add(
-                "objects.csv",
-                format!("{x},{y},box:{size}x{size},{},1,FALSE,{},,,,{weightless}", number(2.0, 80.0), number(0.0, 2.0) / 2.0),
-            );
+            let (mass, e) = (number(2.0, 80.0), number(0.0, 2.0) / 2.0);
+            add("objects.csv", format!("{x},{y},box:{size}x{size},{mass},1,FALSE,{e},,,,{weightless}"));
         }
     }
     add("hazards.csv", format!("1140,840,30,30,-{},0,{},0,,fan", number(100.0, 900.0), number(-900.0, 100.0)));
@@ -131,11 +121,8 @@ fn what_has_been_done_is_never_called_impossible() {
         }
         let red = format!("{},{},20,20\n", random.between(100.0, 1150.0).round(), random.between(0.0, 400.0).round());
         files.push(("obstacles.csv", red));
-        let key = format!(
-            "OBJECT,{},{},box:30x30,20,1,2,3,0.2,1\n",
-            random.between(90.0, 120.0).round(),
-            random.pick(&[100.0, 500.0, 855.0])
-        );
+        let (x, y) = (random.between(90.0, 120.0).round(), random.pick(&[100.0, 500.0, 855.0]));
+        let key = format!("OBJECT,{x},{y},box:30x30,20,1,2,3,0.2,1\n");
         if is_asked(seed, &files, &key, (2000, false), &mut random) {
             asked[usize::from(plain)] += 1;
         }

@@ -19,19 +19,14 @@ fn script() -> Vec<Controls> {
     let mut controls = Controls::default();
     let mut change = |tick| {
         if tick % 7 == 0 {
-            controls = Controls {
-                thrust: random.random_bool(0.6),
-                reverse: random.random_bool(0.1),
-                left: random.random_bool(0.2),
-                right: random.random_bool(0.2),
-            };
+            let mut key = |chance| random.random_bool(chance);
+            controls = Controls { thrust: key(0.6), reverse: key(0.1), left: key(0.2), right: key(0.2) };
         }
         controls
     };
     (0..TICKS).map(&mut change).collect()
 }
 
-/// The script as it was flown.
 fn play() -> Game {
     let mut game = Game::new(Arc::new(yard())).unwrap();
     script().into_iter().for_each(|controls| game.step(controls));

@@ -25,7 +25,6 @@ fn above_floor(gap: f64, velocity: DVec2) -> Level {
     level
 }
 
-/// Flies on and returns all events with their ticks.
 fn fly(level: Level, controls: Controls, ticks: u32) -> (Game, Vec<(u64, GameEvent)>) {
     let mut game = Game::new(Arc::new(level)).unwrap();
     let mut events = Vec::new();

@@ -1,8 +1,8 @@
 //! Flights that can be gone back in: the game at any tick is the one that was flown, to the bit.
 
 use crate::support::Random;
-use crate::support::shipped::{fixture as level, record};
-use resultant::game::{Controls, Game, GhostTrack, History, Inputs, Outcome, Reel, SHIP, TICK_RATE};
+use crate::support::shipped::{fixture as level, flown, record};
+use resultant::game::{Controls, Game, GhostTrack, Inputs, Outcome, Reel, SHIP, TICK_RATE};
 use resultant::level::Level;
 use std::sync::Arc;
 
@@ -34,7 +34,6 @@ fn any_tick_of_a_recorded_flight_is_the_one_that_was_flown() {
             let tick = tick.min(last);
             assert_eq!((game.ticks(), game.hash()), (tick, flown[tick as usize]), "level {name}");
         }
-        // From any of them it goes on as it was flown, and ends in the same way.
         history.seek(&mut game, last / 2);
         replay.inputs.after(last / 2).for_each(|controls| game.step(controls));
         assert_eq!((game.hash(), game.outcome()), (replay.hash, Outcome::Completed));
@@ -44,16 +43,15 @@ fn any_tick_of_a_recorded_flight_is_the_one_that_was_flown() {
 #[test]
 fn a_flight_that_is_still_flown_can_be_looked_back_into() {
     let (level, inputs) = (level("2"), record("2", "mark").inputs);
-    let flown = hashes(&level, &inputs);
-    let mut game = Game::new(level).unwrap();
-    let mut history = History::new(&game);
+    let hashes = hashes(&level, &inputs);
+    let (mut game, mut history) = flown(level, []);
     let mut random = Random(12);
     for controls in inputs.clone() {
         game.step(controls);
         history.note(&game, controls);
         if random.unit() < 0.02 {
             let tick = (random.unit() * game.ticks() as f64) as u64;
-            assert_eq!(history.at(tick).hash(), flown[tick as usize]);
+            assert_eq!(history.at(tick).hash(), hashes[tick as usize]);
         }
     }
     assert_eq!(history.inputs(), &inputs);
@@ -64,8 +62,7 @@ fn a_flight_that_is_still_flown_can_be_looked_back_into() {
 
 #[test]
 fn fuel_that_lasted_for_a_while_lasts_when_it_is_flown_again() {
-    let mut game = Game::new(level("1")).unwrap();
-    let mut history = History::new(&game);
+    let (mut game, mut history) = flown(level("1"), []);
     let mut flown = vec![game.hash()];
     for tick in 0..400_u64 {
         let controls = Controls { thrust: tick % 3 > 0, right: tick % 50 < 9, ..Controls::default() };
@@ -81,8 +78,7 @@ fn fuel_that_lasted_for_a_while_lasts_when_it_is_flown_again() {
 
 #[test]
 fn copies_stay_few_however_long_a_flight_is() {
-    let mut game = Game::new(level("1")).unwrap();
-    let mut history = History::new(&game);
+    let (mut game, mut history) = flown(level("1"), []);
     for _ in 0..72_000 {
         game.step(Controls::default());
         history.note(&game, Controls::default());
@@ -126,15 +122,7 @@ fn a_track_is_where_the_ship_was() {
 #[test]
 fn a_flight_that_goes_on_from_an_earlier_moment_is_recorded_as_one_that_was_flown_so() {
     let (level, inputs) = (level("2"), record("2", "mark").inputs);
-    let fly = |until: u64| {
-        let mut game = Game::new(level.clone()).unwrap();
-        let mut history = History::new(&game);
-        for controls in inputs.after(0).take(until as usize) {
-            game.step(controls);
-            history.note(&game, controls);
-        }
-        (game, history)
-    };
+    let fly = |until: u64| flown(level.clone(), inputs.after(0).take(until as usize));
     let (_, whole) = fly(u64::MAX);
     for tick in [0, 1, 59, 60, 61, 119, 120, 121, whole.ticks() - 1, whole.ticks(), u64::MAX] {
         let ((mut game, mut flown), mut cut) = (fly(tick), whole.until(tick));

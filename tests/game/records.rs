@@ -5,7 +5,6 @@ use resultant::game::{LevelHash, level_hash};
 use resultant::level::{AirStream, Fluid, Level, Look, ObjectiveKind, Solid, Text};
 use resultant::physics::{DVec2, Material};
 
-/// A level with one of everything.
 fn full() -> Level {
     let zone = area(1.0, 2.0, 3.0, 4.0);
     Level {
@@ -19,7 +18,6 @@ fn full() -> Level {
     }
 }
 
-/// The hash of the level once it is changed.
 fn changed(change: impl FnOnce(&mut Level)) -> LevelHash {
     let mut level = full();
     change(&mut level);

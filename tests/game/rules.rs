@@ -8,7 +8,6 @@ use std::sync::Arc;
 
 const BOTH: Controls = Controls { reverse: true, ..THRUST };
 
-/// A goal for the ship, and one for a key object.
 fn goal(left: f64, top: f64, right: f64, bottom: f64) -> Objective {
     objective(ObjectiveKind::Player, area(left, top, right, bottom))
 }

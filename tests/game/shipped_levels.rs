@@ -2,6 +2,7 @@
 
 use crate::support::adversary;
 use crate::support::shipped::{fixture, flights, levels, load, project};
+use resultant::files;
 use resultant::game::{Game, Medal, Medals, Outcome, PROGRAM, Replay, SHIP, TICK_RATE};
 use resultant::level::{self, Level};
 use resultant::physics::{Aabb, Body, Guards, Sides, World};
@@ -18,7 +19,6 @@ const HUNT: f64 = 120.0;
 /// The adversary must find this: in the fixture 3 a ship that flies into the chamber stays there.
 const KNOWN: (&str, adversary::Kind) = ("Two winds", adversary::Kind::Trapped);
 
-/// Flies a level by a record; `each_tick` sees the game after every tick.
 fn fly(level: &Arc<Level>, replay: &Replay, mut each_tick: impl FnMut(&Game)) -> Game {
     let mut game = Game::new(Arc::clone(level)).unwrap();
     for controls in replay.inputs.clone() {
@@ -130,7 +130,7 @@ fn the_adversary_finds_what_is_known_and_nothing_else() {
 #[test]
 fn the_list_of_what_comes_with_the_game_names_every_level_and_experiment() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for (folder, list) in [("levels", "shipped.csv"), ("experiments", "experiments.csv")] {
+    for (folder, list) in [("levels", "shipped.csv"), (files::EXPERIMENTS, "experiments.csv")] {
         let names = level::list(&root.join(folder));
         assert!(names.iter().all(|name| level::is_shipped(&root.join(folder).join(name))), "{names:?}");
         let list = std::fs::read_to_string(root.join(folder).join(list)).unwrap();

@@ -29,14 +29,10 @@ fn a_plate_is_pressed_by_more_than_its_weight() {
         let mut game = begun(&[GATE, plate, ("objects.csv", &row_of(840.0, mass))]);
         assert!(closed(&game));
         wait(&mut game, 0.1);
-        assert_eq!(
-            (game.mechanisms().is_pressed(0), game.mechanisms().on()[0], closed(&game)),
-            (pressed, pressed, !pressed),
-            "{mass} kg"
-        );
+        let found = [game.mechanisms().is_pressed(0), game.mechanisms().on()[0], !closed(&game)];
+        assert_eq!(found, [pressed; 3], "{mass} kg");
         assert_eq!(game.mechanisms().is_on(Worked::Door(0)), pressed);
     }
-    // A column presses with all of its weight, and the plate has a name.
     let column: String = (0..3).map(|i| format!("345,{},box:30x30,15,0,FALSE,0\n", 840 - 30 * i)).collect();
     let mut game = begun(&[GATE, ("switches.csv", "300,855,90,15,gate,400\n"), ("objects.csv", &column)]);
     wait(&mut game, 0.1);
@@ -81,7 +77,6 @@ fn a_switch_works_movers_belts_and_winds_both_ways() {
     let state = |game: &Game| (game.world().surfaces()[lift].bounds.min.x, body(game, 1).velocity.x, game.world().blows(0));
     wait(&mut game, 0.5);
     assert_eq!(state(&game), (20.0, 0.0, true));
-    // Up to the switch.
     let mut pressed = 0;
     while !game.mechanisms().on()[0] {
         game.step(THRUST);
@@ -96,11 +91,9 @@ fn a_switch_works_movers_belts_and_winds_both_ways() {
 #[test]
 fn a_thing_of_two_names_is_on_while_a_switch_of_each_is() {
     // Two boxes fall onto plates, the second one from higher up; a third plate stays free.
+    let doors = "600,600,30,270,left&right\n600,300,30,270,left&right&free\n900,300,30,270,left&nobody\n900,600,30,270,left&off\n";
     let files = [
-        (
-            "doors.csv",
-            "600,600,30,270,left&right\n600,300,30,270,left&right&free\n900,300,30,270,left&nobody\n900,600,30,270,left&off\n",
-        ),
+        ("doors.csv", doors),
         ("objects.csv", "345,840,box:30x30,10,0,FALSE,0\n445,600,box:30x30,10,0,FALSE,0\n"),
         ("switches.csv", "300,855,90,15,left !off,50\n400,855,90,15,right,50\n500,855,90,15,free,50\n"),
     ];
@@ -150,7 +143,6 @@ fn switches_are_part_of_the_state_and_of_records() {
     let before = other.hash();
     wait(&mut other, 1.0);
     assert_ne!(before, other.hash());
-    // Each switch, pod, field and mover changes the hash of the level.
     let hashes = |extra: &[(&'static str, &str)]| level_hash(&written(extra));
     let all = [
         hashes(&[]),
@@ -205,10 +197,8 @@ fn a_pod_fills_the_tank_as_far_as_it_goes() {
     assert_eq!(game.events().iter().filter(|event| **event == GameEvent::Refuelled(0)).count(), 1);
     assert_eq!(game.ship().fuel, 500.0, "no more than the tank holds");
     (0..119).for_each(|_| game.step(THRUST));
-    assert!(
-        (game.result().fuel_used - BURN_RATE).abs() < 1e-9 && (game.ship().fuel - (500.0 - 119.0 * BURN_RATE / 120.0)).abs() < 1e-9
-    );
-    // An empty tank takes all of it.
+    assert!((game.result().fuel_used - BURN_RATE).abs() < 1e-9);
+    assert!((game.ship().fuel - (500.0 - 119.0 * BURN_RATE / 120.0)).abs() < 1e-9);
     let mut game = begun(&[("player.csv", ""), ("pods.csv", "0,600,120,30,40\n")]);
     while !game.mechanisms().is_taken(0) {
         game.step(THRUST);
@@ -284,21 +274,14 @@ fn a_wind_is_shaded_where_it_is_told_to() {
     }
 }
 
-/// A rope that a switch lets go, a winch that a switch works, and a hook that takes hold of a key.
 #[test]
 fn switches_work_links_by_name() {
-    let files = [
-        (
-            "objects.csv",
-            "x,y,image,mass,drag,circular,restitution,name\n600,300,box:30x30,10,0,FALSE,0,load\n900,300,box:30x30,10,0,FALSE,0,lamp\n",
-        ),
-        (
-            "links.csv",
-            "kind,a,b,length,stiffness,damping,rate,name\nrope,load,600 150,,50000,2000,,!\nrope,900 150,lamp,,50000,2000,-1,winch\n",
-        ),
-        ("switches.csv", "x,y,width,height,works,by,stays\n30,600,60,60,winch !holds,ship,latched\n"),
-    ];
-    let files = [files[0], (files[1].0, &files[1].1.replace(",!", ",holds")), files[2]];
+    let (held, hung) = ("rope,load,600 150,,50000,2000,,holds", "rope,900 150,lamp,,50000,2000,-1,winch");
+    let links = format!("kind,a,b,length,stiffness,damping,rate,name\n{held}\n{hung}\n");
+    let objects = "600,300,box:30x30,10,0,FALSE,0,load\n900,300,box:30x30,10,0,FALSE,0,lamp\n";
+    let objects = format!("x,y,image,mass,drag,circular,restitution,name\n{objects}");
+    let switches = "x,y,width,height,works,by,stays\n30,600,60,60,winch !holds,ship,latched\n";
+    let files = [("objects.csv", &objects[..]), ("links.csv", &links), ("switches.csv", switches)];
     let mut game = begun(&files);
     wait(&mut game, 2.0);
     let rests = [body(&game, 1).position, body(&game, 2).position];
@@ -312,16 +295,9 @@ fn switches_work_links_by_name() {
     wait(&mut game, 1.0);
     assert!((body(&game, 1).position.y - rests[0].y - 5.0).abs() < 0.3, "let go, it falls: {}", body(&game, 1).position.y);
     assert!((rests[1].y - body(&game, 2).position.y - 1.0).abs() < 0.1, "wound up: {}", body(&game, 2).position.y);
-    // Each link changes the hash of the level.
     let hash = |links: &str| level_hash(&written(&[files[0], ("links.csv", links)]));
-    let all = [
-        "",
-        "rope,load,lamp,,9\n",
-        "spring,load,lamp,,9\n",
-        "rope,load,lamp,50,9\n",
-        "rope,load,lamp,,9,1\n",
-        "rope,load,9 9,,9\n",
-    ];
-    let hashes = all.map(hash);
-    assert!((1..all.len()).all(|i| !hashes[..i].contains(&hashes[i])));
+    let all = "|rope,load,lamp,,9|spring,load,lamp,,9|rope,load,lamp,50,9|rope,load,lamp,,9,1|rope,load,9 9,,9";
+    let all: Vec<&str> = all.split('|').collect();
+    let hashes: Vec<_> = all.into_iter().map(hash).collect();
+    assert!((1..hashes.len()).all(|i| !hashes[..i].contains(&hashes[i])));
 }

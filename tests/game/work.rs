@@ -1,6 +1,6 @@
 //! The work of each force, against exact answers, and the law of work and energy.
 
-use crate::support::shipped::{experiment, flights, levels, load};
+use crate::support::shipped::{experiment, flights, flown, levels, load};
 use crate::support::written::{begun, written};
 use resultant::game::{Controls, Game, History};
 use resultant::instruments::ledger::{Account, EnergyState, WorkLedger};
@@ -104,11 +104,8 @@ fn a_landing_aside_is_braked_by_its_impact_and_then_by_friction() {
     // It falls by 1 m, and loses μ times the fall's speed at once.
     let (down, across) = (20f64.sqrt(), 5.0 - 0.65 * 20f64.sqrt());
     let landed = 10.0 + 5.0 * 0.2f64.sqrt();
-    assert_works(
-        &account,
-        &[(ForceKind::Weight, 20.0), (ForceKind::Friction, -13.0 * (end.position.x - landed))],
-        across * across - (25.0 + down * down),
-    );
+    let works = [(ForceKind::Weight, 20.0), (ForceKind::Friction, -13.0 * (end.position.x - landed))];
+    assert_works(&account, &works, across * across - (25.0 + down * down));
 }
 
 #[test]
@@ -164,9 +161,8 @@ fn buoyancy_does_the_weight_of_what_is_displaced_times_the_way() {
 fn collisions_keep_the_momentum_of_all_and_elastic_ones_the_energy() {
     for (restitution, kept) in [(1.0, 1.0), (0.5, 0.25), (0.0, 0.0)] {
         let ice = ("world.csv", "0,600,1050,30,Ice\n");
-        let objects = format!(
-            "300,585,box:30x30,3,0,FALSE,{restitution},8,0,Ice,TRUE\n600,585,box:30x30,5,0,FALSE,{restitution},-2,0,Ice,TRUE\n"
-        );
+        let object = |x, mass, vx| format!("{x},585,box:30x30,{mass},0,FALSE,{restitution},{vx},0,Ice,TRUE\n");
+        let objects = object(300, 3, 8) + &object(600, 5, -2);
         let flown = Flown::resting(&[ice, ("objects.csv", &objects)], 2.0);
         let (start, end) = (EnergyState::of_all(flown.history.start()), EnergyState::of_all(&flown.game));
         assert_near(end.momentum.x, 24.0 - 10.0, 14.0);
@@ -196,15 +192,9 @@ fn within_a_pushed_row_the_pushes_pass_on_what_they_take() {
     assert_near(push(&second) + second.by(ForceKind::Friction), flown.gained(2), 2000.0 * way);
 }
 
-/// The careful flight of a shipped level.
 fn careful(level: &str) -> Flown {
     let replay = flights(level).remove("careful").expect("a careful flight");
-    let mut game = Game::new(load(level)).unwrap();
-    let mut history = History::new(&game);
-    for controls in replay.inputs.clone() {
-        game.step(controls);
-        history.note(&game, controls);
-    }
+    let (game, history) = flown(load(level), replay.inputs);
     Flown { game, history }
 }
 
@@ -234,9 +224,8 @@ fn the_law_of_work_and_energy_holds_in_every_level() {
 #[test]
 fn no_force_gets_the_work_of_another() {
     for folder in ["buoyancy", "wind-and-friction", "terminal-velocity", "projectile"] {
-        let at =
-            |rate: f64| Flown::of(Game::with_tick_rate(experiment(folder), rate).unwrap(), 4.0, |_| Controls::default()).ledger();
-        let (coarse, fine) = (at(120.0), at(3840.0));
+        let game = |rate: f64| Game::with_tick_rate(experiment(folder), rate).unwrap();
+        let [coarse, fine] = [120.0, 3840.0].map(|rate| Flown::of(game(rate), 4.0, |_| Controls::default()).ledger());
         for (coarse, fine) in coarse.accounts.iter().zip(fine.accounts) {
             let size = fine.by_force.iter().fold(1.0, |size: f64, work| size.max(work.abs()));
             for kind in ForceKind::ALL {

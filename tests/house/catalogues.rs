@@ -3,6 +3,7 @@
 
 use super::sources::{files, root};
 use proc_macro2::{Group, TokenStream, TokenTree};
+use resultant::files::EXPERIMENTS;
 use resultant::game::Outcome;
 use resultant::level::schema::{Kind, SETTINGS};
 use resultant::physics::{ForceKind, Guards, Methods};
@@ -16,7 +17,6 @@ use syn::Lit;
 const CALLS: [&str; 9] =
     ["tr", "tr !", "ui . page", "ui . button", "ui . buttons", "ui . row", "ui . column", "ui . choice", "SaveError : : file"];
 
-/// The string literals of a source, without its documentation.
 fn literals(tokens: TokenStream) -> Vec<String> {
     let is_doc = |group: &Group| group.stream().into_iter().next().is_some_and(|first| first.to_string() == "doc");
     let of = |token| match token {
@@ -57,7 +57,6 @@ fn has_words(text: &str) -> bool {
     letters.split(' ').any(|word| word.chars().count() > 1)
 }
 
-/// The sources without their tests.
 fn sources() -> Vec<TokenStream> {
     let paths = files(&root().join("src"), &["rs"]).into_iter().filter(|path| !path.ends_with("tests.rs"));
     let texts = paths.map(|path| fs::read_to_string(path).unwrap());
@@ -67,32 +66,23 @@ fn sources() -> Vec<TokenStream> {
 /// The texts of shipped files that a screen shows: titles, hints and words of levels and experiments.
 fn shown_by_files() -> BTreeSet<String> {
     let mut texts = BTreeSet::new();
-    for folder in ["levels", "experiments"] {
-        for path in files(&root().join(folder), &["csv"]) {
-            let bytes = fs::read(&path).unwrap();
-            let records = || {
-                csv::ReaderBuilder::new()
-                    .has_headers(false)
-                    .flexible(true)
-                    .comment(Some(b'#'))
-                    .from_reader(&bytes[..])
-                    .into_records()
-            };
-            let cells = records().filter_map(Result::ok).enumerate();
-            match path.file_name().and_then(|name| name.to_str()) {
-                Some("constants.csv") => {
-                    texts.extend(cells.filter(|(_, row)| &row[0] == "title").map(|(_, row)| row[1].to_owned()))
-                }
-                Some("hints.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[0].to_owned())),
-                Some("texts.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[3].to_owned())),
-                Some("experiments.csv") => texts.extend(cells.skip(1).flat_map(|(_, row)| {
-                    let choices: Vec<String> = row[4].split('|').map(str::to_owned).collect();
-                    let wanted = row[6].split('|').filter_map(|part| part.rsplit_once(": "));
-                    let wanted = wanted.flat_map(|(what, _)| what.splitn(2, ", ").map(str::to_owned)).collect();
-                    [[row[1].to_owned(), row[2].to_owned(), row[3].to_owned()].to_vec(), choices, wanted].concat()
-                })),
-                _ => {}
-            }
+    for path in files(&root().join("levels"), &["csv"]) {
+        let bytes = fs::read(&path).unwrap();
+        let records = || {
+            csv::ReaderBuilder::new().has_headers(false).flexible(true).comment(Some(b'#')).from_reader(&bytes[..]).into_records()
+        };
+        let cells = records().filter_map(Result::ok).enumerate();
+        match path.file_name().and_then(|name| name.to_str()) {
+            Some("constants.csv") => texts.extend(cells.filter(|(_, row)| &row[0] == "title").map(|(_, row)| row[1].to_owned())),
+            Some("hints.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[0].to_owned())),
+            Some("texts.csv") => texts.extend(cells.skip(1).map(|(_, row)| row[3].to_owned())),
+            Some("experiments.csv") => texts.extend(cells.skip(1).flat_map(|(_, row)| {
+                let choices: Vec<String> = row[4].split('|').map(str::to_owned).collect();
+                let wanted = row[6].split('|').filter_map(|part| part.rsplit_once(": "));
+                let wanted = wanted.flat_map(|(what, _)| what.splitn(2, ", ").map(str::to_owned)).collect();
+                [[row[1].to_owned(), row[2].to_owned(), row[3].to_owned()].to_vec(), choices, wanted].concat()
+            })),
+            _ => {}
         }
     }
     texts.retain(|text| has_words(text) && !is_quantity(text));
@@ -129,12 +119,8 @@ fn every_text_stands_in_every_catalogue() {
     let columns = Kind::ALL.iter().flat_map(|kind| kind.schema().columns).chain(SETTINGS);
     wanted.extend(columns.map(|column| column.help.to_owned()));
     wanted.extend(ForceKind::ALL.iter().flat_map(|kind| [kind.shown().to_owned(), kind.does().to_owned()]));
-    wanted.extend(
-        Key::ALL
-            .iter()
-            .map(|key| key.label())
-            .filter(|label| label.len() > 3 && !label.starts_with("Num") && !label.starts_with("Pad")),
-    );
+    let named = |label: &String| label.len() > 3 && !label.starts_with("Num") && !label.starts_with("Pad");
+    wanted.extend(Key::ALL.iter().map(|key| key.label()).filter(named));
     for (language, rows) in catalogues() {
         let known: BTreeSet<String> = rows.iter().map(|(english, _)| english.clone()).collect();
         let missing: Vec<&String> = wanted.difference(&known).collect();
@@ -148,7 +134,7 @@ fn every_row_is_of_use_and_keeps_its_places() {
     known.extend(shown_by_files());
     known.extend(shown_by_engine());
     known.extend(Key::ALL.iter().map(|key| key.label()));
-    for folder in ["experiments", "docs/charts"] {
+    for folder in [EXPERIMENTS, "docs/charts"] {
         for path in files(&root().join(folder), &["csv"]) {
             let bytes = fs::read(&path).unwrap();
             let records = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(&bytes[..]).into_records();

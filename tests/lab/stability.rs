@@ -17,10 +17,9 @@ use resultant::lab::stress::{G, bouncing, robustness, standing};
 #[test]
 fn terminal_velocity() {
     use FallOutcome::{Diverges, Right, Wrong};
-    let euler =
-        [(0.98, Right), (1.02, Wrong), (1.45, Wrong), (1.48, Diverges)].map(|case| (explicit_euler as MotionStep, 0.0, case));
-    let settled = [(1.385, Right), (1.40, Wrong)].map(|case| (rk4 as MotionStep, 0.9999, case));
-    let falling = [(2.04, Wrong), (2.08, Diverges)].map(|case| (rk4 as MotionStep, 0.0, case));
+    let euler = [(0.98, Right), (1.02, Wrong), (1.45, Wrong), (1.48, Diverges)].map(|c| (explicit_euler as MotionStep, 0.0, c));
+    let settled = [(1.385, Right), (1.40, Wrong)].map(|c| (rk4 as MotionStep, 0.9999, c));
+    let falling = [(2.04, Wrong), (2.08, Diverges)].map(|c| (rk4 as MotionStep, 0.0, c));
     let splittings = [exact_decay as MotionStep, strang].map(|step| [2.1, 10.0, 100.0].map(|z| (step, 0.0, (z, Wrong))));
     for (step, start, (z, outcome)) in [&euler[..], &settled, &falling, splittings.as_flattened()].concat() {
         assert_eq!(fall(step, z, start), outcome, "{z}");

@@ -24,7 +24,6 @@ impl Files for Memory {
     }
 }
 
-/// Good levels to spoil.
 const BASES: [&str; 3] = ["good_original", "good_any_order", "good_spreadsheet"];
 
 /// Texts in place of a cell: numbers at and beyond every limit, words, separators, line ends, broken quotes.
@@ -35,7 +34,6 @@ fn spoils() -> impl Strategy<Value = &'static str> {
     prop::sample::select(SPOILS.split('|').collect::<Vec<_>>())
 }
 
-/// The files of a good level with some cells replaced.
 fn spoilt() -> impl Strategy<Value = BTreeMap<String, Vec<u8>>> {
     let change = (0..FILES.len(), any::<prop::sample::Index>(), spoils());
     (0..BASES.len(), prop::collection::vec(change, 0..4)).prop_map(|(base, changes)| {
@@ -56,7 +54,6 @@ fn spoilt() -> impl Strategy<Value = BTreeMap<String, Vec<u8>>> {
     })
 }
 
-/// Any bytes in any file.
 fn arbitrary() -> impl Strategy<Value = BTreeMap<String, Vec<u8>>> {
     let text = prop::collection::vec(spoils(), 0..40).prop_map(|cells| cells.join(",").into_bytes());
     let bytes = prop_oneof![prop::collection::vec(any::<u8>(), 0..80), text, any::<String>().prop_map(String::into_bytes)];
@@ -86,9 +83,7 @@ proptest! {
             }
             Ok(loaded) => {
                 let mut world = World::new(loaded.level.world_def()).unwrap();
-                for _ in 0..20 {
-                    world.step(1.0 / 120.0);
-                }
+                (0..20).for_each(|_| world.step(1.0 / 120.0));
                 for (i, body) in world.bodies().iter().enumerate() {
                     let resultant = world.forces(BodyId(i as u32)).resultant();
                     let finite = [body.position, body.velocity, body.acceleration, resultant].iter().all(|v| v.is_finite());

@@ -21,7 +21,6 @@ fn warned(files: &[(&'static str, &str)]) -> String {
     }
 }
 
-/// One warning, at that place and with those words.
 fn told(files: &[(&'static str, &str)], place: &str, found: &str) {
     let warnings = warned(files);
     assert!(warnings.starts_with(&format!("{place}: found {found}")) && warnings.lines().count() == 1, "{files:?}: {warnings}");
@@ -31,7 +30,6 @@ fn silent(files: &[(&'static str, &str)]) {
     assert_eq!(warned(files), "", "{files:?}");
 }
 
-/// A goal for keys at the right, and a key.
 fn key(mass: &str, x: &str) -> String {
     format!("PHYS,1000,670,100,10\nOBJECT,{x},660,box:40x40,{mass},181,49,201,0,1\n")
 }
@@ -45,11 +43,8 @@ fn a_room_without_a_mistake_draws_no_alarm() {
 #[test]
 fn a_key_too_heavy_for_all_that_could_push_it() {
     let place = "objectives.csv:2: column \"mass\"";
-    told(
-        &[("objectives.csv", &key("100000", "460"))],
-        place,
-        "100000 kg, which nothing in the level brings to the objective of line 1",
-    );
+    let found = "100000 kg, which nothing in the level brings to the objective of line 1";
+    told(&[("objectives.csv", &key("100000", "460"))], place, found);
     for mass in ["50", "120", "400"] {
         silent(&[("objectives.csv", &key(mass, "460"))]);
     }
@@ -77,14 +72,8 @@ fn a_one_way_block_that_stops_what_comes_from_the_start() {
     }
     // From above into the room behind it, and a key that starts there.
     silent(&[("world.csv", "0,680,1280,40,Asphalt,\n900,100,20,580,Steel,left\n920,100,360,15,Steel,top\n")]);
-    told(
-        &[(
-            "world.csv",
-            "0,680,1280,40,Asphalt,\n900,100,20,580,Steel,left\n920,100,360,15,Steel,bottom\n900,0,20,100,Steel,left\n",
-        )],
-        place,
-        found,
-    );
+    let shut = "0,680,1280,40,Asphalt,\n900,100,20,580,Steel,left\n920,100,360,15,Steel,bottom\n900,0,20,100,Steel,left\n";
+    told(&[("world.csv", shut)], place, found);
     told(&[("world.csv", &wall("0,20,680,Steel,left")), ("objectives.csv", &key("50", "460"))], place, found);
     silent(&[("world.csv", &wall("0,20,680,Steel,left")), ("objectives.csv", &key("50", "960"))]);
 }
@@ -106,7 +95,6 @@ fn a_wind_or_field_that_outdoes_the_ship() {
     ] {
         silent(&[(file, text)]);
     }
-    // A wind that a switch stops, or one that a mover carries the ship through.
     let wind = ("hazards.csv", "1270,0,10,680,-400,0,-100000,0,FALSE,fan\n");
     silent(&[wind, ("switches.csv", "300,600,60,60,!fan,,ship,latched\n")]);
     silent(&[("hazards.csv", "1270,0,10,680,-400,0,-100000,0\n"), ("movers.csv", "200,300,90,20,1000 300,2\n")]);
@@ -156,12 +144,8 @@ fn a_door_that_closes_before_the_ship_gets_there() {
     silent(&[&both[..], &[("switches.csv", "100,100,100,100,a,,ship,latched\n840,500,60,60,b,,ship,held\n")]].concat());
     let hall = [walls, ("doors.csv", "900,400,20,280,gate\n1200,0,20,680,hall\n"), ("objectives.csv", "PLAYER,1240,670,20,10\n")];
     let two = warned(&[&hall[..], &[("switches.csv", "100,100,100,100,gate,,ship\n1000,600,60,60,hall,,ship,latched\n")]].concat());
-    assert!(
-        two.starts_with("switches.csv:2: column \"x\": found a switch behind a door that closes before")
-            && two.lines().count() == 2,
-        "{two}"
-    );
-    // A key that the held door lets through wins without the ship.
+    assert!(two.starts_with("switches.csv:2: column \"x\": found a switch behind a door that closes before"), "{two}");
+    assert_eq!(two.lines().count(), 2, "{two}");
     let key = "PHYS,1000,670,100,10\nOBJECT,860,660,box:40x40,50,181,49,201,0,1\n";
     silent(&[&held("100,100,100,100,gate,,ship,held\n")[..], &[("objectives.csv", key)]].concat());
 }
@@ -185,11 +169,8 @@ fn rows_without_use_and_speeds_like_pixels() {
     let pods = "pods.csv:1: column \"x\"";
     told(&[("pods.csv", "500,690,20,20,50\n")], pods, "a pod that the ship cannot get to");
     silent(&[("pods.csv", "500,670,20,20,50\n")]);
-    told(
-        &[("objectives.csv", "PLAYER,1000,670,100,10,61\n")],
-        "objectives.csv:1: column \"hold\"",
-        "a hold of 61 s, longer than the optimal time of 60 s",
-    );
+    let (place, found) = ("objectives.csv:1: column \"hold\"", "a hold of 61 s, longer than the optimal time of 60 s");
+    told(&[("objectives.csv", "PLAYER,1000,670,100,10,61\n")], place, found);
     silent(&[("objectives.csv", "PLAYER,1000,670,100,10,60\n")]);
     let keyed = "PLAYER,1000,670,100,10\nOBJECT,460,660,box:40x40,50,181,49,201,0,1\n";
     told(&[("objectives.csv", keyed)], "objectives.csv:2: column \"kind\"", "a key object that no objective takes");
@@ -200,10 +181,7 @@ fn rows_without_use_and_speeds_like_pixels() {
     let mover = |speed: &str| format!("400,300,100,20,500 300,{speed}\n");
     told(&[("movers.csv", &mover("100"))], "movers.csv:1: column \"speed\"", "100 m/s, which is 3000 pixels a second");
     silent(&[("movers.csv", &mover("20"))]);
-    told(
-        &[("objects.csv", "400,650,box:40x40,9,1,FALSE,0,150,0\n")],
-        "objects.csv:1: column \"vx\"",
-        "150 m/s, which is 4500 pixels",
-    );
+    let (place, found) = ("objects.csv:1: column \"vx\"", "150 m/s, which is 4500 pixels");
+    told(&[("objects.csv", "400,650,box:40x40,9,1,FALSE,0,150,0\n")], place, found);
     silent(&[("objects.csv", "400,650,box:40x40,9,1,FALSE,0,-60,0\n")]);
 }

@@ -166,16 +166,13 @@ fn a_flight_becomes_the_proof_of_a_medal_and_check_says_what_is_proven() {
     assert!(read("constants.csv").contains("gold,6.85\n") && read("constants.csv").starts_with("# Level 1: up"));
     assert!(read("flights/gold.replay.csv").contains("# level: 1\n"));
     let (_, out, err) = ran(project.path(), &["check", "1"]);
-    assert!(
-        out.contains("  proven: gold (within 6.85 s)\n") && err.contains("a medal (87 % fuel left) that no flight"),
-        "{out}{err}"
-    );
+    let (gold, unproven) = ("  proven: gold (within 6.85 s)\n", "a medal (87 % fuel left) that no flight");
+    assert!(out.contains(gold) && err.contains(unproven), "{out}{err}");
     let code = ran(project.path(), &["code", flight.to_str().unwrap()]).1;
     assert_eq!(proven(code.trim(), "careful").0, 0);
     assert_eq!(proven(code.trim(), "silver").0, 0);
     let (_, out, _) = ran(project.path(), &["check", "1"]);
     assert!(out.contains("  proven: careful (level complete), gold (within 6.85 s), silver (within 6.85 s)\n"), "{out}");
-    // What proves nothing is refused, and nothing is written.
     let before = (read("constants.csv"), read("flights/gold.replay.csv"));
     let altered = project.path().join("altered.csv");
     std::fs::write(&altered, read("flights/gold.replay.csv").replace("# time: 6.85", "# time: 6.1")).unwrap();

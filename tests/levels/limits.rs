@@ -24,7 +24,6 @@ const FILES: [(&str, &str); 7] = [
     ("fluids.csv", "x,y,width,height,density,viscosity\n0,2500,3000,500,density=1000,viscosity=0.001\n"),
 ];
 
-/// The level with one number changed.
 fn with(column: &str, value: f64) -> Memory {
     let cell = |cell: &str| match cell.split_once('=') {
         Some((name, rest)) if name == column => format!("{value}{}", rest.trim_start_matches(|c: char| !",\n".contains(c))),
@@ -130,7 +129,6 @@ fn a_picture_is_judged_by_what_it_unfolds_to() {
     assert!(object(&png_of(20, 20)).unwrap_err().starts_with("background.png: found \"background.png\" of 23170"));
     assert!(level::read_picture(&folder.join("background.png")).is_err(), "nor is it unpacked to be drawn");
     std::fs::remove_file(folder.join("background.png")).unwrap();
-    // Each is small enough, and all of them are not.
     let each = png_of(16_384, 512);
     let rows = (0..2).map(|i| {
         std::fs::write(project.path().join(format!("{i}.png")), &each).unwrap();
@@ -141,7 +139,6 @@ fn a_picture_is_judged_by_what_it_unfolds_to() {
     let refused = lines(&level::load(&folder, project.path()).unwrap_err());
     let told = "objects.csv:2: column \"image\": found \"1.png\", with which the level's pictures have 16777216 pixels";
     assert!(refused.contains(told), "{refused}");
-    // The background is one of them.
     std::fs::write(folder.join("background.png"), png_of(16_384, 512)).unwrap();
     std::fs::write(folder.join("constants.csv"), "").unwrap();
     let refused = lines(&level::load(&folder, project.path()).unwrap_err());

@@ -26,7 +26,6 @@ fn lines(problems: &[Problem]) -> String {
     problems.iter().map(|problem| format!("{problem}\n")).collect()
 }
 
-/// A fixture that must load.
 fn good(name: &str) -> Level {
     match level::load(&fixtures().join("levels").join(name), &fixtures()) {
         Ok(loaded) => loaded.level,

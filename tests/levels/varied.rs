@@ -3,6 +3,7 @@
 use crate::package;
 use proptest::prelude::*;
 use proptest::sample::Index;
+use resultant::files::EXPERIMENTS;
 use resultant::game::{Controls, Game, History, SHIP};
 use resultant::instruments::vary::{SliderTrack, Variation};
 use resultant::level::document::{LevelFolder, Opened};
@@ -11,9 +12,8 @@ use resultant::physics::BodyId;
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
 
-/// The folders of all shipped levels and experiments.
 static FOLDERS: LazyLock<Vec<PathBuf>> = LazyLock::new(|| {
-    let all = ["levels", "experiments"].map(|of| package().join(of));
+    let all = ["levels", EXPERIMENTS].map(|of| package().join(of));
     let folders: Vec<PathBuf> = all.iter().flat_map(|of| level::list(of).into_iter().map(|name| of.join(name))).collect();
     assert!(folders.len() > 12, "{folders:?}");
     folders
@@ -23,7 +23,6 @@ fn load(folder: &str) -> Level {
     level::load(&package().join(folder), package()).expect("it loads").level
 }
 
-/// Flies on by no key.
 fn fly(game: &mut Game, history: &mut History, ticks: u64) {
     for tick in 0..ticks {
         let controls = Controls { thrust: tick % 3 == 0, right: tick % 7 == 0, ..Controls::default() };
@@ -97,21 +96,15 @@ fn forces_that_are_too_strong_for_a_mass_are_refused_together() {
     };
     let with_ship = load("tests/fixtures/levels/2");
     assert_eq!(refused_in(&with_ship, &[(Parameter::Thrust, 1e6)]), None);
-    assert_eq!(
-        refused_in(&with_ship, &[(Parameter::Thrust, 1e6), (Parameter::Mass(0), 1.0)]).as_deref(),
-        Some("player.csv: found 1000000 N on a ship of 1 kg, expected at most 10000 N, which is 10000 m/s²")
-    );
-    let level = load("experiments/friction");
+    let told = refused_in(&with_ship, &[(Parameter::Thrust, 1e6), (Parameter::Mass(0), 1.0)]).unwrap();
+    assert_eq!(told, "player.csv: found 1000000 N on a ship of 1 kg, expected at most 10000 N, which is 10000 m/s²");
+    let level = load("levels/experiments/friction");
     let refused = |changes: &[(Parameter, f64)]| refused_in(&level, changes);
     assert!(refused(&[(Parameter::Thrust, 5.0)]).is_some() && refused(&[(Parameter::Mass(0), 5.0)]).is_some(), "it has no ship");
-    assert_eq!(
-        refused(&[(Parameter::Wind, 1000.0), (Parameter::Mass(2), 1e-3)]).as_deref(),
-        Some("hazards.csv: found 60000 N on 0.001 kg, expected at most 10 N, which is 10000 m/s²")
-    );
-    assert_eq!(
-        refused(&[(Parameter::Mass(9), 1.0)]).as_deref(),
-        Some("objects.csv: found no object 9, expected an object of the level")
-    );
+    let told = refused(&[(Parameter::Wind, 1000.0), (Parameter::Mass(2), 1e-3)]).unwrap();
+    assert_eq!(told, "hazards.csv: found 60000 N on 0.001 kg, expected at most 10 N, which is 10000 m/s²");
+    let told = refused(&[(Parameter::Mass(9), 1.0)]).unwrap();
+    assert_eq!(told, "objects.csv: found no object 9, expected an object of the level");
     for value in [f64::NAN, f64::INFINITY, -1.0, 1e7] {
         assert!(refused(&[(Parameter::Mass(1), value)]).is_some(), "{value}");
     }
@@ -119,7 +112,7 @@ fn forces_that_are_too_strong_for_a_mass_are_refused_together() {
 
 #[test]
 fn a_tape_flown_in_another_level_is_the_same_controls_under_other_laws() {
-    let level = Arc::new(load("experiments/free-fall"));
+    let level = Arc::new(load("levels/experiments/free-fall"));
     let mut game = Game::new(level.clone()).unwrap();
     let mut history = History::new(&game);
     fly(&mut game, &mut history, 120);
@@ -141,7 +134,9 @@ fn a_tape_flown_in_another_level_is_the_same_controls_under_other_laws() {
 
 #[test]
 fn a_flight_that_goes_on_in_a_varied_level_has_a_history_over_the_change() {
-    for name in ["tests/fixtures/levels/15", "tests/fixtures/levels/2", "experiments/bounce", "experiments/pushed-row"] {
+    for name in
+        ["tests/fixtures/levels/15", "tests/fixtures/levels/2", "levels/experiments/bounce", "levels/experiments/pushed-row"]
+    {
         let level = load(name);
         let mut game = Game::new(Arc::new(level.clone())).unwrap();
         let mut history = History::new(&game);

@@ -7,7 +7,6 @@ use resultant::game::{Controls, Game, Outcome, SHIP};
 use resultant::level;
 use std::sync::Arc;
 
-/// The warnings about the room with these files.
 fn warned(files: &[(&'static str, &str)]) -> String {
     warned_with(&[], files)
 }
@@ -65,19 +64,14 @@ fn a_switch_behind_its_own_door_and_a_pad_behind_doors_that_nothing_opens_are_wa
     assert!(behind.starts_with("objectives.csv:1:") || behind.starts_with(told), "{behind}");
     let pad = "objectives.csv:1: column \"x\": found an objective behind a door";
     assert!(behind.contains(told) && behind.contains(pad), "{behind}");
-    // One door after the other.
-    assert_eq!(
-        warned(&[("doors.csv", doors), ("switches.csv", "200,700,60,60,gate,,,latched\n600,700,60,60,hall,,,latched\n")]),
-        ""
-    );
-    // A door that two switches open together.
+    let latched = "200,700,60,60,gate,,,latched\n600,700,60,60,hall,,,latched\n";
+    assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", latched)]), "");
     let both = [("doors.csv", "500,0,20,870,a&b\n"), ("switches.csv", "200,700,60,60,a,,,latched\n300,700,60,60,b,,,latched\n")];
     assert_eq!(warned(&both), "");
     let one = warned(&[both[0], ("switches.csv", "200,700,60,60,a\n600,700,60,60,b\n")]);
     assert!(one.contains("switches.csv:2: column \"x\": found a switch behind its own door") && one.contains(pad), "{one}");
     let unworked = warned(&[both[0], ("switches.csv", "200,700,60,60,a\n")]);
     assert!(unworked.starts_with("doors.csv:1: column \"name\": found \"b\", which no switch works"), "{unworked}");
-    // Two rooms that wait for each other.
     let crossed = "900,700,60,60,gate\n600,700,60,60,hall\n";
     assert_eq!(warned(&[("doors.csv", doors), ("switches.csv", crossed)]).lines().count(), 3);
     // A door that is open until its switch is pressed, and a crate that presses a switch out of the ship's reach.

@@ -11,7 +11,6 @@ use resultant::level::{Level, Parameter};
 use resultant::physics::{BodyId, DVec2, Material};
 use resultant::screens::{Input, Key};
 
-/// Follows the object that a number is of, and turns to its page.
 fn show(sitting: &mut Sitting, parameter: Parameter) {
     let level = sitting.game().level();
     let tied = |link: usize| level.links[link].def.body.index();
@@ -96,7 +95,6 @@ fn heights_and_places_are_led_by_the_pointer_and_the_panel_follows() {
         assert!(sitting.labels().contains(&number(parameter).as_str()), "its field is shown");
     }
     assert!(sitting.shows("(was") && sitting.flight().game_before().unwrap().level().objects[1].position == before);
-    // Into another ball it is not led, and it is said why; a click without a drag follows.
     let (at, kept) = (sitting.game().level().objects[1].position, value(&sitting, Parameter::PlaceX(2)));
     let other = sitting.game().level().objects[2].position;
     drag(&mut sitting, at, other - at);

@@ -18,7 +18,6 @@ fn hold(held: &[Key]) -> Input {
     Input { pressed: Keys::default(), ..press(held) }
 }
 
-/// A sitting with the shipped files of the tile run.
 fn sitting() -> Sitting {
     Sitting::with(|root| {
         copy(&project().join("assets/tile_run"), &root.join("assets/tile_run"));
@@ -29,7 +28,6 @@ fn sitting() -> Sitting {
 fn at(request: Request) -> Sitting {
     let mut sitting = sitting();
     sitting.app.grant(request, &mut ());
-    // It is laid out, and no time passes.
     sitting.app.update(&Input { frame: sitting.frame, ..Input::default() }, &mut ());
     sitting
 }
@@ -84,9 +82,7 @@ fn run_of(sitting: &Sitting) -> &TileRun {
 }
 
 fn frames(sitting: &mut Sitting, input: &Input, count: usize) {
-    for _ in 0..count {
-        sitting.give(input.clone());
-    }
+    (0..count).for_each(|_| _ = sitting.give(input.clone()));
     assert_eq!(sitting.at(), "tile run");
 }
 
@@ -107,21 +103,18 @@ fn the_arrow_keys_run_and_space_jumps() {
     assert_eq!((run_of(&screen).frame, run_of(&screen).runner.tile()), (0, (58, 18)));
 }
 
+fn heard(sitting: &mut Sitting, input: Input, count: usize) -> Vec<Noise> {
+    (0..count).flat_map(|_| sitting.give(input.clone()).app.screen().noises()).collect()
+}
+
 #[test]
 fn a_jump_and_a_landing_are_heard_once_each() {
     let mut screen = tile_run();
-    let mut heard = |input: &Input, count: usize| {
-        let mut all = Vec::new();
-        for _ in 0..count {
-            frames(&mut screen, input, 1);
-            all.extend(screen.app.screen().noises());
-        }
-        all
-    };
-    assert!(matches!(heard(&hold(&[]), 60)[..], [Noise::Landing(_)]), "it begins above the ground");
-    assert_eq!(heard(&press(&[Key::Space]), 1), []);
-    assert_eq!(heard(&hold(&[]), 1), [Noise::Jump]);
-    let landed = heard(&hold(&[]), 60);
+    let mut heard = |input, count| heard(&mut screen, input, count);
+    assert!(matches!(heard(hold(&[]), 60)[..], [Noise::Landing(_)]), "it begins above the ground");
+    assert_eq!(heard(press(&[Key::Space]), 1), []);
+    assert_eq!(heard(hold(&[]), 1), [Noise::Jump]);
+    let landed = heard(hold(&[]), 60);
     let [Noise::Landing(hard)] = landed[..] else { panic!("{landed:?}") };
     assert!((0.5..=1.0).contains(&hard), "{hard}");
 }
@@ -130,14 +123,7 @@ fn a_jump_and_a_landing_are_heard_once_each() {
 fn climbers_are_heard_when_they_jump_land_and_bump() {
     let mut sitting = at(Request::Reset(Destination::Classic(Classic::Jumper)));
     sitting.click("Two Players");
-    let mut heard = |input: Input, count: usize| {
-        let mut all = Vec::new();
-        for _ in 0..count {
-            sitting.give(input.clone());
-            all.extend(sitting.app.screen().noises());
-        }
-        all
-    };
+    let mut heard = |input, count| heard(&mut sitting, input, count);
     assert_eq!(heard(hold(&[]), 30), [], "who stands is silent");
     assert_eq!(heard(press(&[Key::W]), 1), [Noise::Jump]);
     let landed = heard(hold(&[]), 120);
@@ -198,8 +184,7 @@ fn one_or_two_climb_with_their_keys() {
         assert_eq!(sitting.labels(), ["One Player", "Two Players", "Leaderboard", "Back"]);
         sitting.click(button);
         assert_eq!((sitting.labels().len(), jumper(&sitting).scene.players().count()), (0, players));
-        sitting.give(hold(&[Key::D, Key::Left]));
-        sitting.give(hold(&[Key::D, Key::Left]));
+        sitting.give(hold(&[Key::D, Key::Left])).give(hold(&[Key::D, Key::Left]));
         let speeds: Vec<f64> = jumper(&sitting).scene.players().map(|(_, body)| body.velocity.x).collect();
         assert_eq!(speeds, if players == 2 { vec![4.0, -4.0] } else { vec![0.0] });
         // A press between two frames is not lost.
@@ -233,7 +218,6 @@ fn a_climb_is_saved_on_the_jumpers_leaderboard() {
     assert_eq!(sitting.labels(), ["Climb Again", "Save Score", "Leaderboard", "Back"]);
     sitting.click("Save Score");
     assert_eq!(sitting.at(), "new player");
-    // The way back loses nothing.
     assert_eq!(sitting.press(Key::Escape).at(), "jumper");
     assert_eq!(jumper(&sitting).scene.score(), score);
     sitting.click("Save Score").give(Input { typed: "Ada".to_owned(), ..hold(&[]) }).press(Key::Enter);
@@ -291,13 +275,9 @@ fn arrow_keys_change_n_and_speed_and_r_restarts() {
         (blocks_of(screen).n, blocks_of(screen).speed())
     };
     assert_eq!(tap(&mut screen, Key::Right), (3, 1.0));
-    for _ in 0..20 {
-        tap(&mut screen, Key::Right);
-    }
+    (0..20).for_each(|_| _ = tap(&mut screen, Key::Right));
     assert_eq!(blocks_of(&screen).n, 9);
-    for _ in 0..20 {
-        tap(&mut screen, Key::Left);
-    }
+    (0..20).for_each(|_| _ = tap(&mut screen, Key::Left));
     assert_eq!(tap(&mut screen, Key::Down), (0, 0.25));
     assert_eq!(tap(&mut screen, Key::Up), (0, 1.0));
     run(&mut screen, FRAME, 5.0);
@@ -309,9 +289,7 @@ fn arrow_keys_change_n_and_speed_and_r_restarts() {
 #[test]
 fn a_frame_holds_any_number_of_collisions_but_its_work_is_bounded() {
     let mut screen = pi();
-    for _ in 0..4 {
-        screen.give(press(&[Key::Right]));
-    }
+    (0..4).for_each(|_| _ = screen.give(press(&[Key::Right])));
     let mut most = 0;
     for _ in 0..400 {
         let before = blocks_of(&screen).blocks.collisions;

@@ -11,7 +11,6 @@ use std::path::Path;
 const STAY: &str = "Stay here";
 const ANYWAY: &str = "Close anyway";
 
-/// The window is closed: the game asks, with these words.
 #[track_caller]
 fn asks(sitting: &mut Sitting, words: &str) {
     assert!(sitting.app.is_at_risk() && !sitting.app.may_close(), "{words}");
@@ -31,7 +30,6 @@ fn block(file: &Path) {
     fs::write(file.join("in-the-way"), "").unwrap();
 }
 
-/// The editor of level 2, with one thing more.
 fn edited(prepare: impl Fn(&Path)) -> Sitting {
     let mut sitting = editor::open();
     prepare(&sitting.folder.path().join("levels/2/.autosave"));
@@ -44,8 +42,7 @@ fn edited(prepare: impl Fn(&Path)) -> Sitting {
 fn edits_that_are_kept_close_and_come_back() {
     let mut sitting = edited(|_| {});
     closes(&mut sitting);
-    sitting.reopen();
-    sitting.choose("Editor").choose("2").rest();
+    sitting.reopen().choose("Editor").choose("2").rest();
     assert!(sitting.shows("There are edits that were not saved."));
     closes(&mut sitting);
     assert!(sitting.click("Have them back").editor().is_unsaved());
@@ -64,7 +61,6 @@ fn edits_that_cannot_be_kept_are_asked_about_also_while_they_are_flown() {
     assert_eq!(sitting.at(), "test flight");
     asks(&mut sitting, "The edits cannot be kept beside the files");
     assert_eq!(sitting.click(STAY).rest().at(), "test flight");
-    // Once there is room, they are kept.
     fs::remove_dir_all(&kept).unwrap();
     assert!(sitting.app.may_close() && kept.is_file());
     fs::remove_file(&kept).unwrap();
@@ -110,13 +106,11 @@ fn what_was_done_and_set_is_asked_about_where_it_cannot_be_written() {
     assert!(fs::read_to_string(sitting.folder.path().join("settings.csv")).unwrap().contains("fullscreen,on"));
     sitting.complete().home().rest();
     asks(&mut sitting, "scores");
-    // The menu's own way out asks, too.
     assert_eq!(sitting.click(STAY).rest().at(), "menu");
     sitting.choose("Quit").rest();
     assert_eq!((sitting.at(), sitting.open), ("closing", true));
     sitting.click(STAY).rest();
     fs::remove_file(sitting.folder.path().join("scores")).unwrap();
-    // Whose points they are is still to be said.
     sitting.choose("Quit").rest().choose(ANYWAY);
     assert!(!sitting.open && sitting.scores_file("attempts.csv").lines().count() == 2, "{}", sitting.scores_file("attempts.csv"));
 }

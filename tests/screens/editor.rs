@@ -81,14 +81,12 @@ fn things_are_selected_moved_sized_doubled_and_deleted() {
     let block = draw(&mut sitting, Kind::Solid, (100.0, 100.0), (200.0, 150.0));
     drag(&mut sitting, (150.0, 125.0), (350.0, 225.0));
     assert_ends(&sitting, Table::World, "300,200,100,50\n");
-    // By its lower right corner, onto the grid.
     drag(&mut sitting, (400.0, 250.0), (443.0, 291.0));
     assert_ends(&sitting, Table::World, "300,200,140,90\n");
     control(&mut sitting, Key::D);
     assert_eq!(sitting.editor().selection(), [RowId { row: 1, ..block }]);
     sitting.press(Key::Left);
     assert_ends(&sitting, Table::World, "300,200,140,90\n319,220,140,90\n");
-    // A frame around both.
     drag(&mut sitting, (250.0, 150.0), (500.0, 400.0));
     assert_eq!(sitting.editor().selection().len(), 3, "and around the ship, which cannot be deleted");
     sitting.press(Key::Delete);
@@ -126,10 +124,8 @@ fn every_column_can_be_written_and_what_is_wrong_is_the_loaders_own_word() {
     assert_eq!((sitting.focused(), sitting.field().as_str()), ("mass", "heavy"), "and so does another click");
     sitting.write("70").press(Key::Enter).wait(0.3);
     assert_eq!((cell(&sitting, row, "mass"), sitting.warning()), (Some("70"), None));
-    // A click goes on to the next word of a choice.
     sitting.click("material");
     assert_eq!(cell(&sitting, row, "material"), Some("Steel"));
-    // The level's own settings, where nothing is selected.
     sitting.press_all(&[Key::Enter, Key::Escape]);
     write_into(&mut sitting, "title", "A, B");
     assert_ends(&sitting, Table::Constants, "\ntitle,\"A, B\"\n");
@@ -150,8 +146,8 @@ fn all_that_the_files_can_hold_can_be_added() {
     sitting.wait(0.3);
     // The problems are about places, not about cells that cannot be read.
     let cells = sitting.editor().problems().iter().filter(|(_, refused)| *refused);
-    let unreadable =
-        |text: &String| ["a number such", "whole number", "cell", "decoration", "picture"].iter().any(|word| text.contains(word));
+    let words = ["a number such", "whole number", "cell", "decoration", "picture"];
+    let unreadable = |text: &String| words.iter().any(|word| text.contains(word));
     let unread: Vec<String> = cells.map(|(problem, _)| problem.to_string()).filter(unreadable).collect();
     assert!(unread.is_empty(), "{unread:?}");
 }
@@ -196,9 +192,7 @@ fn fields_share_a_clipboard_and_tab_selects_what_is_there() {
     assert_eq!(sitting.editor().document().things().count(), 4, "the ship, the pad, the door, the switch");
     sitting.press(Key::Tab);
     assert_eq!(sitting.focused(), "weight");
-    sitting.write("900").press(Key::Tab);
-    sitting.press_keys(&[Key::Tab], &[Key::Shift, Key::Tab]).rest();
-    sitting.write("45").press(Key::Enter);
+    sitting.write("900").press(Key::Tab).press_keys(&[Key::Tab], &[Key::Shift, Key::Tab]).rest().write("45").press(Key::Enter);
     assert_eq!(cell(&sitting, switch, "weight"), Some("45"));
 }
 
@@ -212,11 +206,8 @@ fn what_there_is_to_say_stays_until_it_is_read() {
     assert_eq!(rows(&sitting, Table::Player), 1);
     let words = "A level has a ship: it stays.";
     assert!(sitting.shows(words));
-    // It stays under the pointer.
     let below = Vec2::new(sitting.frame.size.x / 2.0, sitting.frame.size.y - 6.0);
-    for _ in 0..1200 {
-        sitting.point_at(below);
-    }
+    (0..1200).for_each(|_| _ = sitting.point_at(below));
     assert!(sitting.shows(words));
     sitting.point_at(Vec2::ZERO).wait(10.0);
     assert!(!sitting.shows(words));
@@ -230,13 +221,10 @@ fn leaving_asks_and_a_crash_loses_nothing() {
     assert!(sitting.shows("There are edits that are not saved."));
     assert_eq!(sitting.press(Key::Escape).at(), "editor", "Esc stays");
     assert!(file(&sitting, ".autosave").exists());
-    // The program ends here.
-    sitting.reopen();
-    sitting.choose("Editor").choose("2").rest();
+    sitting.reopen().choose("Editor").choose("2").rest();
     assert_eq!(rows(&sitting, Table::World), 0);
     sitting.click("Have them back").rest();
     assert_eq!(rows(&sitting, Table::World), 1, "had back");
-    // Thrown away.
     sitting.press(Key::Escape).click("Throw away");
     assert_eq!(sitting.at(), "levels to edit");
     assert!(!file(&sitting, ".autosave").exists() && !file(&sitting, "world.csv").exists());
@@ -261,7 +249,6 @@ fn what_another_program_writes_is_taken_over_or_asked_about() {
     sitting.click("Theirs").rest();
     assert_eq!(text(&sitting, Table::World), "0,500,800,20\n");
     assert!(!sitting.editor().is_unsaved());
-    // The other answer: their file is kept beside it.
     control(&mut sitting, Key::Z);
     fs::write(file(&sitting, "world.csv"), "0,400,800,20\n").unwrap();
     sitting.wait(0.4).click("Mine").rest();
@@ -276,9 +263,7 @@ fn a_click_changes_no_size_and_the_middle_of_a_small_thing_moves_it() {
     let before = text(&sitting, Table::Switches);
     for x in [300.0, 301.0, 315.0, 330.0, 345.0, 359.0, 360.0] {
         for y in [500.0, 502.0, 505.0, 508.0, 510.0] {
-            for _ in 0..2 {
-                drag(&mut sitting, (x, y), (x, y));
-            }
+            (0..2).for_each(|_| drag(&mut sitting, (x, y), (x, y)));
             assert_eq!(sitting.editor().selection(), [switch]);
         }
     }
@@ -305,7 +290,6 @@ fn a_click_changes_no_size_and_the_middle_of_a_small_thing_moves_it() {
     assert_eq!(sitting.editor().document().place(small).unwrap(), Place { size: DVec2::new(60.0, 40.0), ..place });
 }
 
-/// The place of the handle that moves these edges.
 fn handle(sitting: &Sitting, side: DVec2) -> DVec2 {
     let place = sitting.editor().document().place(sitting.editor().selection()[0]).unwrap();
     let signs = |value: DVec2| DVec2::new((value.x * 1e3).round().clamp(-1.0, 1.0), (value.y * 1e3).round().clamp(-1.0, 1.0));
@@ -350,8 +334,7 @@ fn the_wheel_zooms_the_right_button_pans_and_a_key_shows_all() {
 #[test]
 fn the_world_is_picked_from_five_in_small_beside_its_word() {
     let mut sitting = Sitting::new();
-    sitting.choose("Editor").choose("2").rest();
-    sitting.click("water").rest();
+    sitting.choose("Editor").choose("2").rest().click("water").rest();
     assert!(sitting.editor().document().setting("world") == Some("water"), "one click writes it");
     sitting.click("orbit").click("Save").rest();
     let written = fs::read_to_string(sitting.folder.path().join("levels/2/constants.csv")).unwrap();

@@ -36,14 +36,12 @@ fn a_flight_from_here_begins_at_the_pointer_in_the_level_as_it_stands() {
     assert!(ship(&sitting).distance(DVec2::new(200.0, 500.0)) < 1.0, "{}", ship(&sitting));
     sitting.press(Key::F5);
     assert!(!fs::read_to_string(file(&sitting, "player.csv")).unwrap().contains("200,500"));
-    // By its button the next click says where.
     sitting.click("Fly here");
     assert!(sitting.at() == "editor" && sitting.shows("Click where the ship is to start."));
     let at = point(&sitting, 600.0, 300.0);
     sitting.click_at(at);
     assert!(ship(&sitting).distance(DVec2::new(600.0, 300.0)) < 1.0);
     sitting.press(Key::F5);
-    // In rock there is no room.
     press_at(&mut sitting, Key::F6, (400.0, 580.0));
     assert!(sitting.at() == "editor" && sitting.shows("It cannot be flown until this is mended: player.csv:2"));
 }
@@ -81,7 +79,6 @@ fn a_flight_that_was_stopped_goes_on_in_the_level_as_it_is_edited() {
     assert!(sitting.ticks() >= ticks && ship(&sitting).distance(place) < 20.0, "{} {place}", ship(&sitting));
     let before = sitting.wait(0.5).press(Key::F5).editor().flown_path();
     assert!(before.windows(2).all(|pair| pair[0].distance(pair[1]) < 2.0), "one path of both parts");
-    // A block where the ship is leaves it no room.
     let at = *before.last().unwrap() * sitting.editor().document().metre();
     draw(&mut sitting, Kind::Solid, (at.x - 60.0, at.y - 60.0), (at.x + 60.0, at.y + 60.0));
     sitting.press(Key::F7);
@@ -116,7 +113,6 @@ fn a_completed_flight_is_made_the_proof_of_gold_and_the_list_shows_it() {
     assert!(loaded.awards.gold.is_some_and(|gold| gold > 0.0 && gold < 9.0), "{:?}", loaded.awards);
     let (proven, problems) = pack::proven(&file(&sitting, ""), &Arc::new(loaded));
     assert!(proven.len() == 1 && proven[0].starts_with("gold") && problems.is_empty(), "{proven:?} {problems:?}");
-    // The time is an edit like any other.
     control(&mut sitting, Key::Z);
     assert!(sitting.editor().is_unsaved() && rows(&sitting, Table::Objectives) == 1);
     control(&mut sitting, Key::Y);
@@ -139,7 +135,6 @@ fn a_flight_from_elsewhere_or_in_parts_proves_nothing() {
 #[test]
 fn a_ship_and_a_size_are_enough_to_fly() {
     let mut sitting = open();
-    // No pad any more, a picture that is not there, a number that is none.
     drag(&mut sitting, (20.0, 20.0), (20.0, 20.0));
     sitting.press(Key::Delete);
     draw(&mut sitting, Kind::Picture, (100.0, 100.0), (160.0, 140.0));
@@ -155,7 +150,6 @@ fn a_ship_and_a_size_are_enough_to_fly() {
     sitting.wait(1.0);
     assert!(sitting.at() == "test flight", "nothing is completed where nothing is asked for");
     assert_eq!(sitting.press(Key::F5).at(), "editor");
-    // Without a ship there is nothing to fly.
     drag(&mut sitting, (400.0, 300.0), (400.0, 300.0));
     write_into(&mut sitting, "mass", "light");
     assert_eq!(sitting.press(Key::F5).at(), "editor");
@@ -167,7 +161,6 @@ fn a_test_flight_is_nobodys_attempt() {
     let mut sitting = open();
     sitting.press(Key::F5).wait(0.2).press(Key::R);
     assert_eq!(sitting.at(), "test flight");
-    // Onto a death box: it leads back, and says how it ended.
     sitting.press(Key::Escape);
     draw(&mut sitting, Kind::Deadly, (300.0, 400.0), (500.0, 420.0));
     sitting.press(Key::F5).wait(4.0);
@@ -191,7 +184,6 @@ fn editing_that_begins_in_a_pause_ends_in_it() {
     control(&mut sitting, Key::S);
     sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]);
     assert_eq!((sitting.at(), sitting.ticks()), ("pause", ticks));
-    // It goes on in the level as it was saved.
     sitting.wait(0.5).press(Key::Escape).wait(0.2);
     assert_eq!((sitting.at(), sitting.game().level().world.len()), ("flight", 1));
     // An experiment's copy, too, is made without leaving it.
@@ -206,7 +198,6 @@ fn editing_that_begins_in_a_pause_ends_in_it() {
     assert_eq!(sitting.game().level().name, "2");
 }
 
-/// Up for a moment, and down onto the pad.
 fn fly(sitting: &mut Sitting) {
     sitting.hold(&[Key::Space], 20);
     sitting.hold_until(&[], |sitting| !["test flight", "flight"].contains(&sitting.at()));
@@ -231,7 +222,6 @@ fn a_level_is_drawn_proven_shared_and_flown_elsewhere() {
         sitting.click(form.name());
         drag(&mut sitting, from, to);
     }
-    // A lift with its switch.
     draw(&mut sitting, Kind::Mover, (1000.0, 600.0), (1120.0, 620.0));
     draw(&mut sitting, Kind::Switch, (300.0, 640.0), (360.0, 680.0));
     let wire = sitting.editor().handles().last().unwrap().1;
@@ -253,7 +243,6 @@ fn a_level_is_drawn_proven_shared_and_flown_elsewhere() {
     sitting.click("Share").click("yard").rest();
     let file = sitting.folder.path().join("exports/yard.zip");
 
-    // Dropped on another game's window.
     let mut other = Sitting::new();
     other.give(Input { dropped: vec![file], ..Input::default() }).rest();
     assert!(other.shows("Installed: yard"));

@@ -11,14 +11,12 @@ fn point(sitting: &Sitting, (x, y): (f64, f64)) -> Vec2 {
     sitting.editor().point(DVec2::new(x, y))
 }
 
-/// A key with Control and the pointer at a place of the picture.
 fn control_at(sitting: &mut Sitting, key: Key, at: (f64, f64)) {
     let pointer = point(sitting, at);
     let held = [Key::Control, key].into_iter().collect();
     sitting.point_at(pointer).give(Input { pointer, pressed: [key].into_iter().collect(), held, ..Input::default() });
 }
 
-/// A click with keys held.
 fn click_with(sitting: &mut Sitting, held: &[Key], at: (f64, f64)) {
     let (pointer, held) = (point(sitting, at), keys(held));
     sitting.point_at(pointer).give(Input { pointer, click: true, holding: true, held, ..Input::default() }).point_at(pointer);
@@ -32,7 +30,6 @@ fn block(row: usize) -> RowId {
     RowId { table: Table::World, row }
 }
 
-/// Three blocks of different sizes.
 fn with_blocks() -> Sitting {
     let mut sitting = open();
     for (from, to) in [((100.0, 100.0), (200.0, 150.0)), ((300.0, 200.0), (340.0, 220.0)), ((600.0, 400.0), (700.0, 500.0))] {
@@ -90,17 +87,14 @@ fn things_are_copied_cut_and_pasted_where_the_pointer_is_also_into_another_level
     assert_eq!([cell(&sitting, second, "a"), cell(&sitting, second, "b")], [Some("box3"), Some("box4")], "the copies are joined");
     control(&mut sitting, Key::Z);
     assert_eq!((rows(&sitting, Table::Objects), rows(&sitting, Table::Links)), (2, 1), "one act");
-    // Cut, and put into another level.
     drag(&mut sitting, (150.0, 380.0), (380.0, 460.0));
     control(&mut sitting, Key::X);
     assert_eq!((rows(&sitting, Table::Objects), rows(&sitting, Table::Links)), (0, 0));
     control(&mut sitting, Key::S);
-    sitting.click("Back").rest();
-    sitting.choose("10").rest();
+    sitting.click("Back").rest().choose("10").rest();
     assert_eq!(sitting.editor().name(), "10");
     control_at(&mut sitting, Key::V, (270.0, 120.0));
     assert_eq!((rows(&sitting, Table::Objects), rows(&sitting, Table::Links)), (2, 1));
-    // Nothing says so, too.
     sitting.press(Key::Escape);
     control(&mut sitting, Key::C);
     assert!(sitting.shows("Nothing is selected that can be copied."));
@@ -116,7 +110,6 @@ fn a_drag_with_alt_moves_a_copy() {
     assert_eq!(places(&sitting), [[100.0, 100.0], [300.0, 200.0], [600.0, 400.0], [100.0, 300.0]]);
     control(&mut sitting, Key::Z);
     assert_eq!(rows(&sitting, Table::World), 3, "one act");
-    // A click with Alt doubles nothing.
     click_with(&mut sitting, &[Key::Alt], (110.0, 110.0));
     assert_eq!(rows(&sitting, Table::World), 3);
 }
@@ -135,7 +128,6 @@ fn several_are_aligned_spread_grouped_and_locked() {
     sitting.click("Spread across");
     assert_eq!(places(&sitting), [[100.0, 100.0], [380.0, 200.0], [600.0, 400.0]]);
     control(&mut sitting, Key::Z);
-    // A group is selected as one, also after a row before it has gone.
     click_with(&mut sitting, &[Key::Shift], (110.0, 110.0));
     assert_eq!(sitting.editor().selection(), [block(1), block(2)]);
     control(&mut sitting, Key::G);
@@ -148,7 +140,6 @@ fn several_are_aligned_spread_grouped_and_locked() {
     sitting.press(Key::Escape);
     drag(&mut sitting, (310.0, 210.0), (310.0, 210.0));
     assert_eq!(sitting.editor().selection(), [block(0)]);
-    // What is locked lies under the hand.
     control(&mut sitting, Key::L);
     drag(&mut sitting, (310.0, 210.0), (350.0, 250.0));
     assert!(sitting.editor().selection().is_empty() && places(&sitting)[0] == [300.0, 200.0]);
@@ -181,9 +172,7 @@ fn arrow_keys_in_quick_succession_are_one_act() {
     let mut sitting = with_blocks();
     drag(&mut sitting, (110.0, 110.0), (110.0, 110.0));
     let acts = sitting.editor().document().history().0;
-    for _ in 0..7 {
-        sitting.press(Key::Right).wait(0.2);
-    }
+    (0..7).for_each(|_| _ = sitting.press(Key::Right).wait(0.2));
     sitting.press(Key::Down);
     assert_eq!((places(&sitting)[0], sitting.editor().document().history().0), ([107.0, 101.0], acts + 1));
     sitting.wait(2.0).press(Key::Right);
@@ -225,7 +214,6 @@ fn a_blocks_nature_is_seen() {
         sitting.press(Key::Escape).wait(0.3);
         assert!(lines(&sitting) > before, "{column}");
     }
-    // A key's colour, by a swatch.
     let key = draw(&mut sitting, Kind::Key, (300.0, 300.0), (340.0, 340.0));
     sitting.click("#50 96 F0".replace(' ', "").as_str());
     assert_eq!(["r", "g", "b"].map(|column| cell(&sitting, key, column)), [Some("80"), Some("150"), Some("240")]);

@@ -9,7 +9,6 @@ use resultant::screens::Key;
 const CRATE: (f64, f64) = (220.0, 420.0);
 const KEY: (f64, f64) = (520.0, 420.0);
 
-/// A room with a crate and a key object.
 fn with_bodies() -> Sitting {
     let mut sitting = open();
     draw(&mut sitting, Kind::Object, (200.0, 400.0), (240.0, 440.0));
@@ -48,7 +47,6 @@ fn each_kind_of_link_is_pulled_from_body_to_body() {
         assert_eq!(sitting.editor().document().link_form(link(index)), form);
         assert_sound(&mut sitting);
     }
-    // Each is one act, and the first has named the bodies.
     (0..4).for_each(|_| control(&mut sitting, Key::Z));
     assert_eq!(rows(&sitting, Table::Links), 0);
     assert!(!text(&sitting, Table::Objects).contains("box,"), "{}", text(&sitting, Table::Objects));
@@ -72,7 +70,6 @@ fn both_ends_have_handles_that_are_led_to_bodies_and_places() {
     let mut sitting = with_bodies();
     pull(&mut sitting, LinkForm::Rope, CRATE, KEY);
     sitting.press(Key::Escape);
-    // A click on its line selects it.
     drag(&mut sitting, (300.0, 420.0), (300.0, 420.0));
     assert_eq!(sitting.editor().selection(), [link(0)]);
     let handles: Vec<DVec2> = sitting.editor().handles().into_iter().map(|(_, at)| at).collect();
@@ -80,7 +77,6 @@ fn both_ends_have_handles_that_are_led_to_bodies_and_places() {
     drag(&mut sitting, KEY, (610.0, 100.0));
     drag(&mut sitting, CRATE, (400.0, 300.0));
     assert_eq!(ends(&sitting, 0), ["ship", "610 100"]);
-    // Both ends at places would be no link.
     drag(&mut sitting, (400.0, 300.0), (700.0, 500.0));
     assert_eq!(ends(&sitting, 0), ["ship", "610 100"]);
     assert!(sitting.shows("A link joins two bodies"));
@@ -91,8 +87,7 @@ fn both_ends_have_handles_that_are_led_to_bodies_and_places() {
 fn a_link_that_is_moved_moves_both_ends_alike() {
     let mut sitting = with_bodies();
     pull(&mut sitting, LinkForm::Spring, CRATE, (460.0, 420.0));
-    sitting.press(Key::Escape);
-    sitting.press(Key::G);
+    sitting.press(Key::Escape).press(Key::G);
     drag(&mut sitting, (340.0, 420.0), (370.0, 370.0));
     assert_eq!(ends(&sitting, 0), ["box", "490 370"]);
     assert!(text(&sitting, Table::Objects).contains("\n250,370,box:40x40,"), "{}", text(&sitting, Table::Objects));
@@ -104,9 +99,8 @@ fn a_link_that_is_moved_moves_both_ends_alike() {
 fn the_kind_is_a_field_and_takes_the_numbers_of_its_law_along() {
     let mut sitting = with_bodies();
     pull(&mut sitting, LinkForm::Rope, CRATE, KEY);
-    for (kind, has, lacks) in
-        [("spring", "stiffness", "strength"), ("magnet", "strength", "stiffness"), ("rope", "stiffness", "strength")]
-    {
+    let kinds = [("spring", "stiffness", "strength"), ("magnet", "strength", "stiffness"), ("rope", "stiffness", "strength")];
+    for (kind, has, lacks) in kinds {
         sitting.click("kind");
         assert_eq!(cell(&sitting, link(0), "kind"), Some(kind));
         let number = |column| sitting.editor().document().number(link(0), column);

@@ -45,10 +45,8 @@ fn a_level_is_one_file_that_another_game_takes_in() {
     sitting.click("10").rest();
     let file = sitting.folder.path().join("exports/10.zip");
     assert!(file.exists() && sitting.at() == "problems" && sitting.shows("10 is one file now"));
-    // One that does not load says why.
     sitting.press(Key::Escape).click("Share").click("broken").rest();
     assert!(sitting.at() == "problems" && sitting.shows("That cannot be done") && sitting.shows("obstacles.csv"));
-    // In another data folder, by its path.
     let mut other = Sitting::with(|root| fs::remove_dir_all(root.join("levels/10")).unwrap());
     other.choose("Editor").click("Import");
     assert!(other.shows("Which file?"));
@@ -68,11 +66,9 @@ fn a_map_of_tiled_is_taken_in_by_a_drop_or_by_its_path() {
         fs::write(root.join(name), text).unwrap();
         root.join(name)
     };
-    sitting.give(Input { dropped: vec![write("tower.tmj", with("world"))], ..Input::default() });
-    sitting.rest();
+    sitting.give(Input { dropped: vec![write("tower.tmj", with("world"))], ..Input::default() }).rest();
     assert!(sitting.shows("Installed: tower") && sitting.shows("flowers"), "what is left out is named: {:?}", sitting.texts());
     assert!(root.join("levels/tower/player.csv").exists());
-    // Refused by layer and object, and by its name.
     for (name, class, said) in [("hut.tmj", "houses", "houses"), ("a hut.tmj", "world", "a level cannot have this name")] {
         let path = write(name, with(class));
         sitting.home().choose("Editor").click("Import").write(path.to_str().unwrap()).press(Key::Enter).rest();
@@ -96,11 +92,9 @@ fn what_is_deleted_goes_to_the_bin_and_one_key_brings_it_back() {
     undo(&mut sitting);
     assert_eq!(sitting.level_names(), ["3", "10", "broken", "1", "2"]);
     assert!(fs::read(folder.join("player.csv")).unwrap() == before && !sitting.shows("in the bin"));
-    // What comes with the game stays.
     sitting.click("Delete").click("2").rest();
     assert!(sitting.shows("2 comes with the game and stays as it is."));
     assert!(sitting.folder.path().join("levels/2").exists());
-    // Esc takes the choice back.
     sitting.press(Key::Escape).click("Delete").press(Key::Escape).click("10").rest();
     assert_eq!(sitting.at(), "editor");
 }
@@ -114,7 +108,6 @@ fn what_comes_with_the_game_is_edited_as_a_copy() {
     assert_eq!(sitting.at(), "levels to edit");
     assert!(sitting.shows("What is your copy of 2 called?") && sitting.shows("2 comes with the game and stays as it is."));
     assert_eq!(sitting.field(), "2-copy");
-    // Esc: the list, and nothing was made.
     sitting.press(Key::Escape);
     assert!(sitting.at() == "levels to edit" && !sitting.labels().contains(&"OK"));
     assert!(!sitting.folder.path().join("levels/2-copy").exists());
@@ -125,15 +118,12 @@ fn what_comes_with_the_game_is_edited_as_a_copy() {
     assert!(sitting.folder.path().join("levels/2-copy/world.csv").exists() && !file(&sitting, "world.csv").exists());
     assert_eq!(fs::read(file(&sitting, "player.csv")).unwrap(), before);
     // The copy is the author's own; one more gets another name; and the original keeps its own.
-    sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]).rest();
-    sitting.choose("2-copy").rest();
+    sitting.press_all(&[Key::Escape, Key::Escape, Key::Enter]).rest().choose("2-copy").rest();
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2-copy"));
     sitting.press_all(&[Key::Escape, Key::Enter]).choose("2").rest();
     assert_eq!(sitting.field(), "2-copy-2");
-    sitting.press(Key::Escape);
-    sitting.choose("Rename").choose("2").write("x").press(Key::Enter);
+    sitting.press(Key::Escape).choose("Rename").choose("2").write("x").press(Key::Enter);
     assert!(sitting.shows("comes with the game"));
-    // A developer edits the original.
     let folder = file(&sitting, "");
     sitting.app.begin(&folder, Destination::Edit { name: "2".to_owned(), original: true }, &mut ());
     assert_eq!((sitting.at(), sitting.editor().name()), ("editor", "2"));
@@ -148,14 +138,10 @@ fn a_copy_is_made_with_a_relative_data_folder() {
     let root = std::path::PathBuf::from(up).join(sitting.folder.path().strip_prefix("/").unwrap());
     let places = Places { levels: root.join("levels"), scores: root.join("scores"), settings: root.join("settings.csv"), root };
     sitting.app = Stack::new(places);
-    sitting.app.begin(
-        &sitting.folder.path().join("levels/2"),
-        Destination::Edit { name: "2".to_owned(), original: false },
-        &mut (),
-    );
+    let copy = Destination::Edit { name: "2".to_owned(), original: false };
+    sitting.app.begin(&sitting.folder.path().join("levels/2"), copy, &mut ());
     assert_eq!(sitting.rest().field(), "2-copy");
     assert_eq!(sitting.press(Key::Enter).rest().editor().name(), "2-copy");
-    // One of the author's own, from the list.
     sitting.press_all(&[Key::Escape, Key::Enter]).choose("Copy").choose("2-copy").press(Key::Enter).rest();
     assert_eq!(sitting.editor().name(), "2-copy-copy");
 }

@@ -8,13 +8,8 @@ use std::path::Path;
 
 #[test]
 fn the_pause_panel_does_what_it_says_by_mouse_and_by_keyboard() {
-    for (button, screen) in [
-        ("Resume", "flight"),
-        ("Restart", "flight"),
-        ("Settings", "settings in flight"),
-        ("Level Select", "level select"),
-        ("Main Menu", "menu"),
-    ] {
+    let away = [("Settings", "settings in flight"), ("Level Select", "level select"), ("Main Menu", "menu")];
+    for (button, screen) in [("Resume", "flight"), ("Restart", "flight")].into_iter().chain(away) {
         let mut sitting = Sitting::new();
         assert_eq!(sitting.fly("2").wait(0.5).press(Key::Escape).at(), "pause");
         let ticks = sitting.ticks();
@@ -75,9 +70,7 @@ fn a_spectator_sees_every_attempt_and_every_tick() {
     let mut sitting = Sitting::new();
     sitting.press(Key::Down).press(Key::Enter).press(Key::Right).give_to(enter(), &mut count);
     assert_eq!(sitting.at(), "flight");
-    for _ in 0..30 {
-        sitting.give_to(Input::default(), &mut count);
-    }
+    (0..30).for_each(|_| _ = sitting.give_to(Input::default(), &mut count));
     assert_eq!((count.0, u64::from(count.1)), (1, count.2));
     sitting.give_to(Input { pressed: [Key::R].into_iter().collect(), ..Input::default() }, &mut count);
     assert_eq!(count.0, 2, "a restart is another attempt");
@@ -115,7 +108,6 @@ fn after_a_death_the_level_flies_within_half_a_second_and_keys_that_are_held_wai
     assert!(frames.is_some_and(|frames| frames < 30), "flies again after {frames:?} frames of 1/60 s");
     assert_eq!(sitting.game().ship().burning, 0, "thrust is held from before");
     assert!(sitting.flight().lost().is_some_and(|death| death.contains("Touched a red box")), "{:?}", sitting.flight().lost());
-    // The details of the attempt are one key away, with its own figures and flight.
     sitting.press(Key::Enter);
     assert_eq!(sitting.at(), "scoring");
     assert_eq!((sitting.scoring().result.outcome, sitting.scoring().result.score.total), (Outcome::Failed, 0));
@@ -154,9 +146,7 @@ fn the_pause_panel_gives_a_level_s_hints_one_at_a_time_after_three_losses() {
     let mut sitting = Sitting::with(|root| fs::write(root.join("levels/3/hints.csv"), hints).unwrap());
     let offered = |sitting: &Sitting| sitting.labels().contains(&"Hint");
     sitting.fly("3");
-    for _ in 0..2 {
-        sitting.wait(0.1).press(Key::R);
-    }
+    (0..2).for_each(|_| _ = sitting.wait(0.1).press(Key::R));
     assert!(!offered(sitting.press(Key::Escape)), "two losses are not enough: {:?}", sitting.labels());
     sitting.press(Key::Escape).wait(0.1).press(Key::R);
     assert!(sitting.shows("H: a hint"), "{:?}", sitting.texts());
@@ -231,8 +221,7 @@ fn who_has_not_completed_a_level_sees_no_clock_of_medals() {
 fn backspace_flies_backwards_and_the_flight_goes_on_from_there_as_practice() {
     for rewinds in [Key::Backspace, Key::PadL1] {
         let mut sitting = Sitting::new();
-        sitting.fly("2");
-        sitting.hold(&[Key::Space], 30);
+        sitting.fly("2").hold(&[Key::Space], 30);
         let early = (sitting.ticks(), sitting.flight().history().clone());
         sitting.hold(&[Key::Right], 30);
         assert!(!sitting.flight().is_assisted());
@@ -261,9 +250,7 @@ fn a_rewound_flight_is_done_with_help_and_cannot_be_saved() {
         level(root, "1", "PLAYER,380,280,40,40,1\n", "");
         fs::write(root.join("levels/1/world.csv"), "x,y,width,height\n0,325.5,800,20\n").unwrap();
     });
-    sitting.fly("1").wait(0.5);
-    sitting.hold(&[Key::Backspace], 12);
-    sitting.wait(3.5);
+    sitting.fly("1").wait(0.5).hold(&[Key::Backspace], 12).wait(3.5);
     assert_eq!(sitting.at(), "scoring");
     assert!(sitting.shows("with help") && !sitting.labels().contains(&"Save Score"), "{:?}", sitting.texts());
 }
@@ -286,8 +273,7 @@ fn backspace_takes_back_a_loss() {
 #[test]
 fn m_shows_the_whole_level_while_it_is_held() {
     let mut sitting = Sitting::new();
-    sitting.fly("2").press(Key::Left);
-    sitting.hold(&[Key::M], 6);
+    sitting.fly("2").press(Key::Left).hold(&[Key::M], 6);
     assert!(sitting.scene().overlays.map);
     assert!(!sitting.rest().scene().overlays.map);
 }

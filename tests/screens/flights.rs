@@ -10,7 +10,6 @@ use resultant::screens::{Gap, Input, Key, MOST_RIVALS, Spectator, Split};
 use std::fs;
 use std::path::Path;
 
-/// In a record, the hash of another level.
 const OTHER_LEVEL: &str = "# level_hash: 0123456789abcdef0123456789abcdef0123456789abcdef0123456789abcdef";
 
 /// A sitting with a level "up" that is done by thrusting for about a second.
@@ -24,19 +23,16 @@ fn fly_up(sitting: &mut Sitting, delay: usize) {
     sitting.hold(&[Key::Left, Key::Right], delay).hold_until(&[Key::Space], |sitting| sitting.at() != "flight").wait(0.5);
 }
 
-/// At the score of that flight.
 fn flown_up(delay: usize) -> Sitting {
     let mut sitting = sitting();
     fly_up(sitting.fly("0"), delay);
     sitting
 }
 
-/// Whether a flight that is watched stands still.
 fn stands(sitting: &Sitting) -> bool {
     sitting.labels().contains(&"Play") && sitting.shows("paused · ")
 }
 
-/// From the menu over a flight of "up" to the board on which it is saved.
 fn save_as(sitting: &mut Sitting, name: &str, delay: usize) {
     fly_up(sitting.fly("0"), delay);
     if sitting.labels().contains(&"Save Score") {
@@ -55,7 +51,6 @@ fn a_flight_is_watched_from_its_score_bit_for_bit() {
     assert!(stands(&sitting) && sitting.game().outcome() == Outcome::Completed);
     let (known, end) = (sitting.flight().history().ticks(), sitting.game().hash());
     assert_eq!(sitting.ticks(), known);
-    // A step back and on leads to the same bits.
     sitting.press_all(&[Key::Left, Key::Left]);
     assert_eq!(sitting.ticks(), known - 2);
     sitting.press_all(&[Key::Right, Key::Right]);
@@ -71,9 +66,7 @@ fn a_flight_is_watched_from_its_score_bit_for_bit() {
 #[test]
 fn what_is_watched_is_measured_as_it_was_flown() {
     let mut sitting = flown_up(0);
-    sitting.choose("Watch").press(Key::I);
-    sitting.click("Trails").click("Energy, work");
-    sitting.wait(3.0);
+    sitting.choose("Watch").press(Key::I).click("Trails").click("Energy, work").wait(3.0);
     for key in [Key::Left, Key::Home, Key::Right, Key::End, Key::PageUp, Key::Right] {
         sitting.press(key);
         let (watch, ship) = (sitting.flight(), |game: &Game| game.world().bodies()[0].clone());
@@ -105,7 +98,6 @@ fn what_is_watched_is_slowed_down_hurried_and_dragged() {
     assert!((90..=120).contains(&(sitting.ticks() - from)), "eight times 12 ticks");
     sitting.press(Key::Space);
     assert!(stands(&sitting));
-    // The pointer takes the line of time to its middle, and to either end.
     let (line, known) = (sitting.area("Time line").inset(8.0), sitting.flight().history().ticks());
     for (part, wanted) in [(0.5, known / 2), (1.2, known), (-0.2, 0)] {
         let pointer = Vec2::new(line.min.x + line.size.x * part, line.centre().y);
@@ -117,7 +109,6 @@ fn what_is_watched_is_slowed_down_hurried_and_dragged() {
         assert!(sitting.ticks().abs_diff(wanted) <= 1, "{part}: {}", sitting.ticks());
     }
     assert!(stands(&sitting), "letting go changes nothing of that");
-    // By mouse: Play, and Back.
     sitting.rest().click("Play");
     assert!(!stands(&sitting));
     assert_eq!(sitting.click("Back").at(), "scoring");
@@ -156,7 +147,6 @@ fn a_saved_score_has_its_flight_and_its_row_leads_to_it() {
     assert_eq!((replay.score.to_string(), replay.outcome), (cells[1].to_owned(), Outcome::Completed));
     assert_eq!((replay.player.as_deref(), replay.level.as_str()), (Some("ann"), "0"));
     assert!(sitting.row("ann").contains(&clock(replay.inputs.ticks() as f64 / 120.0)), "{:?}", sitting.row("ann"));
-    // A better score of another player, without a flight: its row leads nowhere.
     fs::write(sitting.folder.path().join("scores/0.csv"), text.clone() + "old,20500\nbob,1,9.5,bob.replay.csv\n").unwrap();
     sitting.home().choose("Boards").choose("0");
     assert_eq!(sitting.leaderboard().board.rows()[0].name.as_str(), "old", "its score alone ranks it");
@@ -181,18 +171,15 @@ fn the_levels_own_flights_stand_on_its_board_by_their_scores() {
         let text = ann.replace(&format!("# score: {score}"), &format!("# score: {points}"));
         fs::write(own.join(format!("{name}.replay.csv")), text).unwrap();
     }
-    // One of another version of the level is no rival.
     let other = ann.lines().map(|line| if line.starts_with("# level_hash") { OTHER_LEVEL } else { line });
     fs::write(own.join("silver.replay.csv"), other.collect::<Vec<_>>().join("\n")).unwrap();
     let board = sitting.scores_file("0.csv");
     fs::write(sitting.folder.path().join("scores/0.csv"), board + "old,20900\nbad,20800,,none.replay.csv\n").unwrap();
     sitting.home().choose("Boards").choose("0").wait(0.5);
-    // From the column of names.
     let left = sitting.place("Name").x;
     let shown: Vec<String> = sitting.texts().into_iter().filter(|(_, at)| at.x == left).map(|(text, _)| text).skip(1).collect();
     assert_eq!(shown, ["old", "bad", "Gold", "ann", "Mark", "Careful"]);
     assert_eq!(sitting.row("Gold")[1..3], ["level's own".to_owned(), sitting.row("ann")[2].clone()]);
-    // In the list of flights each says its time and score, once its record has been read.
     sitting.choose("Flights").wait(0.3);
     assert_eq!(sitting.at(), "flights");
     let known = sitting.flights().candidates.iter().map(|flight| (flight.time.is_some(), flight.score.is_some()));
@@ -203,9 +190,7 @@ fn the_levels_own_flights_stand_on_its_board_by_their_scores() {
 fn one_or_several_are_raced_and_the_gaps_are_right() {
     let mut sitting = sitting();
     save_as(&mut sitting, "ann", 30);
-    sitting.home();
-    // From the list of levels: Tab, the best is first, Race.
-    sitting.choose("Levels").press(Key::Tab);
+    sitting.home().choose("Levels").press(Key::Tab);
     assert_eq!(sitting.at(), "flights");
     assert_eq!(sitting.flights().candidates.iter().map(|flight| flight.about.as_str()).collect::<Vec<_>>(), ["your best, rank 1"]);
     sitting.choose("Race");
@@ -234,10 +219,8 @@ fn one_or_several_are_raced_and_the_gaps_are_right() {
     // On the way to the goal the lead was that of the places: here those of the goal.
     let lead = race.lead(&race.all()[0], sitting.game());
     assert!(matches!(lead, Some(Gap::Seconds(lead)) if (lead - gap).abs() < 0.2), "{lead:?} and {gap} s");
-    // The score leads to the same race again.
     sitting.wait(2.0);
     assert_eq!(sitting.choose("Again").flight().race().unwrap().all().len(), 1);
-    // R begins it again.
     assert_eq!(sitting.wait(0.2).press(Key::R).flight().race().unwrap().splits(), []);
 }
 
@@ -269,7 +252,6 @@ fn several_are_marked_by_keys_and_by_mouse_up_to_a_limit() {
     sitting.press(Key::End);
     assert_eq!(sitting.picked(), Some(sitting.place("user13").y));
     assert!(!sitting.shows("user0"), "it has scrolled");
-    // What cannot be watched says why, and the list stays: a flight of another level, and one that is not there.
     sitting.press(Key::Home).choose("Watch");
     assert_eq!(sitting.at(), "flights");
     assert!(sitting.shows("another version of the level"));
@@ -287,7 +269,6 @@ fn a_flight_is_kept_as_a_file_and_says_where() {
     assert!(sitting.warning().is_none());
     let replay = Replay::parse("kept", &fs::read_to_string(&path).unwrap()).unwrap();
     assert_eq!((replay.level.as_str(), replay.outcome), ("0", Outcome::Completed));
-    // Once is enough; another flight of that name gets another file.
     sitting.press(Key::Enter);
     assert_eq!(sitting.flights().message().unwrap(), format!("Kept as {path}"));
     fs::write(&path, "somebody's").unwrap();
@@ -314,11 +295,9 @@ fn a_flight_goes_from_one_game_to_another_as_a_code() {
     assert_eq!(paste(&format!("{code}\n")), ("Proven: Somebody".to_owned(), 1));
     assert_eq!(paste(&code).1, 1, "once is enough");
     assert!(paste("hello").0.starts_with("No code of a flight"));
-    // A code whose sender claims another score.
     let honest = Replay::from_code(&code).unwrap();
     let (words, more) = paste(&Replay { score: honest.score + 1, ..honest.clone() }.code().unwrap());
     assert!(words.starts_with("This flight does not hold: recorded score") && more == 1, "{words}");
-    // The sender's level may have another name.
     assert_eq!(paste(&Replay { level: "7".to_owned(), ..honest }.code().unwrap()).0, "Proven: Somebody");
     other.choose("Race");
     assert_eq!(other.flight().race().unwrap().all().len(), 1);

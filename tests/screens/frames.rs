@@ -20,12 +20,10 @@ use std::sync::Arc;
 
 /// From one instant at which keys may change to the next, s: frames of 24, 30, 60, 144 a second all end there.
 const SLOT: f64 = 1.0 / 6.0;
-/// The ticks of a slot.
 const TICKS: u64 = 20;
 /// Frames a second; each rate has a whole number of frames in a slot.
 const RATES: [u32; 6] = [24, 30, 60, 120, 144, 240];
 
-/// An event at the beginning of a slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Edge {
     Down(Key),
@@ -36,7 +34,6 @@ enum Edge {
     Pause,
 }
 
-/// The events of each slot.
 type Script = Vec<Vec<Edge>>;
 
 /// The times that the frames of a slot take, s; together they take [`SLOT`].
@@ -61,7 +58,6 @@ fn irregular(seed: u64) -> impl FnMut() -> Vec<f64> {
     }
 }
 
-/// A flight's screen with the memory of its widgets.
 struct Screening {
     flight: Flight,
     memory: Memory,
@@ -73,7 +69,6 @@ impl Screening {
         Self { flight, memory: Memory::default() }
     }
 
-    /// A frame, which asks for no other screen.
     fn give(&mut self, input: &Input) {
         let canvas = Canvas::new(input.frame);
         let acts = PassInput { input, canvas: &canvas, spectator: &mut (), time: 0.0 };
@@ -167,7 +162,6 @@ fn script(seed: u64, slots: usize, pauses: bool) -> Script {
     (0..slots).map(|_| slot()).collect()
 }
 
-/// The yard with a stream and a liquid.
 fn yard_with_media() -> Level {
     Level { streams: stream(20.0, 30.0, 0.0), fluids: liquid(60.0, 50.0, 90.0), ..yard() }
 }
@@ -178,7 +172,6 @@ fn stream(left: f64, right: f64, aside: f64) -> Vec<AirStream> {
     vec![AirStream { source, zone, force: DVec2::new(aside, -900.0), name: None }]
 }
 
-/// A liquid on the floor.
 fn liquid(left: f64, top: f64, right: f64) -> Vec<Fluid> {
     vec![Fluid { zone: area(left, top, right, 60.0), density: 900.0, viscosity: 50.0, colour: [0; 3] }]
 }
@@ -233,7 +226,6 @@ fn keys_pressed_at_the_same_instants_give_the_same_bits_at_every_frame_rate() {
 fn a_pause_changes_no_bit_at_any_frame_rate() {
     let paused = script(9, 60, true);
     assert!(paused.iter().flatten().filter(|edge| **edge == Edge::Pause).count() > 5);
-    // In place of a pause all keys go up.
     let mut held = Vec::new();
     let mut let_go = |edge: Edge| match edge {
         Edge::Pause => held.drain(..).map(Edge::Up).collect(),

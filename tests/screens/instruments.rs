@@ -42,8 +42,7 @@ fn measuring(tools: &[Instrument]) -> Sitting {
         let room = "width,1500\nheight,3000\ngravity,10\nair_density,0\n";
         std::fs::write(folder.join("levels/2/constants.csv"), room).unwrap();
     });
-    sitting.fly("2");
-    sitting.press(Key::I);
+    sitting.fly("2").press(Key::I);
     for tool in tools {
         sitting.click(tool.name());
         assert!(sitting.flight().instruments().uses(*tool));
@@ -54,12 +53,9 @@ fn measuring(tools: &[Instrument]) -> Sitting {
     sitting
 }
 
-/// The world goes on for `frames` frames, and stops again.
 fn fly_for(sitting: &mut Sitting, frames: u32) {
     sitting.press(Key::B);
-    for _ in 0..frames {
-        sitting.rest();
-    }
+    (0..frames).for_each(|_| _ = sitting.rest());
     sitting.press(Key::B).rest();
 }
 
@@ -92,7 +88,6 @@ fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
     let fallen = sitting.game().world().bodies()[0].position.y - ship.y;
     assert!(fallen > 0.2);
     assert!((before.y - read(&sitting).unwrap().parts.y - fallen).abs() < 1e-12);
-    // A click without a drag moves no ruler, and is the flight's.
     sitting.press(Key::Tab).press(Key::N);
     assert!(sitting.flight().observer().focus().followed.is_some());
     let before = read(&sitting);
@@ -101,7 +96,6 @@ fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
     to(&mut sitting, (10.0, 10.0), false, false);
     assert_eq!(sitting.flight().observer().focus().followed, None);
     assert_eq!(read(&sitting), before);
-    // On the rail it draws nothing.
     let rail = sitting.area("Centre of mass").centre();
     sitting.give(Input { pointer: rail, place: Some(DVec2::ZERO), click: true, holding: true, ..Input::default() });
     sitting.give(Input { pointer: rail + 300.0, place: Some(DVec2::ONE), holding: true, ..Input::default() });
@@ -136,7 +130,6 @@ fn the_table_obeys_the_law_of_work_and_energy_as_it_is_written() {
     // y counts up.
     told(&sitting, "Momentum y", -100.0 * ship.velocity.y, "N·s");
     assert_eq!(sitting.flight().instruments().measures().table().columns, ["Ship"], "alone it is all");
-    // From now on.
     sitting.click("From now");
     assert_eq!(text(&sitting, "= kinetic gained"), ["0 J"]);
     sitting.press(Key::Comma);
@@ -170,9 +163,7 @@ fn a_panel_is_dragged_out_of_the_way_and_stays_in_the_window() {
 #[test]
 fn energy_bars_count_what_a_bounce_loses_and_their_zero_moves() {
     let mut sitting = experiment("bounce");
-    sitting.wait(0.1).press(Key::I);
-    sitting.click("Energy, work");
-    sitting.wait(2.0).press(Key::B).rest();
+    sitting.wait(0.1).press(Key::I).click("Energy, work").wait(2.0).press(Key::B).rest();
     let bars = |sitting: &Sitting| -> Vec<(&'static str, f64)> {
         let bars = &sitting.flight().instruments().measures().table().bars;
         bars.iter().filter(|bar| bar.unit == "J").map(|bar| (bar.name, bar.values[0])).collect()
@@ -186,20 +177,17 @@ fn energy_bars_count_what_a_bounce_loses_and_their_zero_moves() {
     let sum = at_first.iter().map(|(_, value)| value).sum::<f64>();
     let began = sitting.flight().history().start().world().bodies()[1].position.y;
     assert!((sum - 2.0 * 9.81 * (level.size.y - began)).abs() < 1e-9 * sum, "all that there was in the beginning");
-    // Zero where the ball is now.
     sitting.click("Zero here").rest();
     let ball = sitting.game().world().bodies()[1].clone();
     let here = bars(&sitting);
     assert!(here[1].1.abs() < 1e-9 && here[0] == at_first[0] && here[2] == at_first[2], "{here:?}");
     assert!(sitting.shows("above the bottom"));
-    // Its line is taken 2 m down.
     for (down, click, holding) in [(0.1, true, true), (2.0, false, true), (2.0, false, false)] {
         let place = Some(ball.position + DVec2::new(3.0, down));
         sitting.give(Input { pointer: Vec2::new(900.0, 300.0), place, click, holding, ..Input::default() });
     }
     sitting.rest();
     assert!((bars(&sitting)[1].1 - 2.0 * 9.81 * 2.0).abs() < 1e-9, "{:?}", bars(&sitting));
-    // From now on nothing is lost.
     sitting.click("From now").rest();
     assert!(bars(&sitting)[2].1.abs() < 1e-9);
 }
@@ -212,10 +200,7 @@ fn a_swing_on_a_spring_keeps_the_sum_of_its_bars() {
         let spring = "kind,a,b,length,stiffness,damping,strength,hook,breaks,rate,name\nspring,ship,600 900,0,900,,,,,,\n";
         std::fs::write(folder.join("levels/2/links.csv"), spring).unwrap();
     });
-    sitting.fly("2");
-    sitting.press(Key::I);
-    sitting.click("Energy, work");
-    sitting.wait(1.5);
+    sitting.fly("2").press(Key::I).click("Energy, work").wait(1.5);
     let bars = &sitting.flight().instruments().measures().table().bars;
     let values: Vec<f64> = bars.iter().filter(|bar| bar.unit == "J").map(|bar| bar.values[0]).collect();
     let sum: f64 = values.iter().sum();
@@ -227,8 +212,7 @@ fn a_swing_on_a_spring_keeps_the_sum_of_its_bars() {
 #[test]
 fn momentum_is_a_bar_to_the_side_of_its_sign_from_the_middle() {
     let mut sitting = experiment("collision-lab");
-    sitting.wait(0.1).press(Key::I);
-    sitting.click("Energy, work");
+    sitting.wait(0.1).press(Key::I).click("Energy, work");
     let held = [Key::Shift].into_iter().collect();
     sitting.give(Input { pointer: Vec2::new(900.0, 400.0), pointed: Some(BodyId(2)), click: true, held, ..Input::default() });
     sitting.rest();
@@ -261,8 +245,7 @@ fn momentum_is_a_bar_to_the_side_of_its_sign_from_the_middle() {
 fn in_a_small_window_one_large_panel_is_open_above_the_line_about_the_time() {
     let mut sitting = experiment("bounce");
     sitting.frame = Frame::of_window(Vec2::new(900.0, 500.0));
-    sitting.wait(0.5).press(Key::I);
-    sitting.click("Plot").press(Key::B).rest();
+    sitting.wait(0.5).press(Key::I).click("Plot").press(Key::B).rest();
     let tools = [Instrument::Figures, Instrument::Vary];
     for tool in tools {
         sitting.click(tool.name()).rest();
@@ -274,8 +257,7 @@ fn in_a_small_window_one_large_panel_is_open_above_the_line_about_the_time() {
         assert!(panels[0].min.y >= 0.0 && panels[0].max().y < sign.y - 10.0, "{tool:?}: {:?} above {sign}", panels[0]);
     }
     sitting.frame = Frame::default();
-    sitting.rest();
-    sitting.click(Instrument::Figures.name());
+    sitting.rest().click(Instrument::Figures.name());
     assert!(tools.iter().all(|tool| sitting.flight().instruments().uses(*tool)), "where there is room they stand together");
 }
 

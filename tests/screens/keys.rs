@@ -23,11 +23,9 @@ impl Sitting {
     }
 }
 
-/// In level 2, flying.
 fn flying() -> Sitting {
     let mut sitting = Sitting::new();
-    sitting.fly("2");
-    sitting.rest();
+    sitting.fly("2").rest();
     sitting
 }
 
@@ -40,11 +38,9 @@ fn what_is_held_at_a_restart_a_pause_or_as_the_focus_goes_counts_once_it_was_rel
         sitting.press_keys(&[Key::Escape], &[Key::Escape, Key::Space]);
         sitting.hold(&[Key::Space], 3).press_keys(&[Key::Escape], &[Key::Escape, Key::Space]);
     };
-    // The button that goes on from the pause also thrusts.
     let resume: Part = |sitting| {
         sitting.press_keys(&[Key::PadStart], &[Key::PadStart, Key::Space]);
-        sitting.hold(&[Key::Space], 3).press_keys(&[Key::PadA], &[Key::PadA, Key::Space]);
-        sitting.hold(&[Key::PadA, Key::Space], 3);
+        sitting.hold(&[Key::Space], 3).press_keys(&[Key::PadA], &[Key::PadA, Key::Space]).hold(&[Key::PadA, Key::Space], 3);
     };
     let focus: Part = |sitting| _ = sitting.give(Input { away: true, held: keys(&[Key::Space]), ..Input::default() });
     for (what, part) in [("restart", restart), ("pause", pause), ("resume", resume), ("focus", focus)] {
@@ -59,7 +55,6 @@ fn what_is_held_at_a_restart_a_pause_or_as_the_focus_goes_counts_once_it_was_rel
     }
 }
 
-/// The record says what flew.
 #[test]
 fn a_record_agrees_with_what_flew_around_a_pause() {
     let mut sitting = flying();
@@ -81,21 +76,17 @@ fn zooming_burns_no_fuel_and_starts_no_clock() {
         }
         let fuel = sitting.game().ship().fuel;
         sitting.press_keys(&[Key::Shift], &[Key::Shift]).hold(&[Key::Shift], frames);
-        for _ in 0..2 {
-            sitting.press_keys(&[Key::Equal], &[Key::Shift, Key::Equal]).hold(&[Key::Shift], 30);
-        }
+        (0..2).for_each(|_| _ = sitting.press_keys(&[Key::Equal], &[Key::Shift, Key::Equal]).hold(&[Key::Shift], 30));
         sitting.wait(1.0);
         assert_eq!(sitting.game().ship().fuel, fuel, "Shift {frames} frames before +");
         assert_eq!(sitting.has_begun(), begun);
         assert!(sitting.flight().observer().focus().zoom() > 1.9);
     }
-    // All within one frame.
     let mut sitting = flying();
     sitting.press_keys(&[Key::Shift, Key::Equal], &[]).wait(1.0);
     assert!(!sitting.has_begun());
 }
 
-/// The record says what counts.
 #[test]
 fn what_is_taken_back_was_never_flown() {
     let mut sitting = flying();

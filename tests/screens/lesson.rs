@@ -2,6 +2,7 @@
 
 use crate::sitting::Sitting;
 use crate::support::shipped::{copy, names, project};
+use resultant::files::EXPERIMENTS;
 use resultant::screens::{Instrument, Key, Lab, Page};
 use resultant::view::theme;
 use std::fs;
@@ -10,7 +11,6 @@ use std::path::{Path, PathBuf};
 /// N/kg, in all experiments.
 const G: f64 = 9.81;
 
-/// In the experiment of free fall, from the menu on.
 pub fn free_fall() -> Sitting {
     let sitting = experiment("free-fall");
     assert_eq!(sitting.game().level().title, "Free fall");
@@ -25,7 +25,6 @@ pub fn experiment(name: &str) -> Sitting {
     sitting
 }
 
-/// Writes a prediction, or makes the first choice.
 pub fn predict(sitting: &mut Sitting, text: &str) {
     if sitting.labels().contains(&"Your prediction") {
         sitting.click("Your prediction").write(text).press(Key::Enter);
@@ -35,15 +34,14 @@ pub fn predict(sitting: &mut Sitting, text: &str) {
     }
 }
 
-/// In an experiment as it opens, from the menu on.
 pub fn opened(name: &str) -> Sitting {
     let mut sitting = Sitting::with(|root| {
-        let from = project().join("experiments");
-        copy(&from.join(name), &root.join("experiments").join(name));
+        let from = project().join(EXPERIMENTS);
+        copy(&from.join(name), &root.join(EXPERIMENTS).join(name));
         let list = fs::read_to_string(from.join("experiments.csv")).unwrap();
         let row = format!("{name},");
         let wanted: Vec<&str> = list.lines().filter(|line| line.starts_with("folder") || line.starts_with(&row)).collect();
-        fs::write(root.join("experiments/experiments.csv"), wanted.join("\n")).unwrap();
+        fs::write(root.join(EXPERIMENTS).join("experiments.csv"), wanted.join("\n")).unwrap();
     });
     sitting.choose("Lab");
     while sitting.screen::<Lab>().page != Page::Experiments {
@@ -54,7 +52,6 @@ pub fn opened(name: &str) -> Sitting {
     sitting
 }
 
-/// Opens the instruments and the plot on their rail.
 pub fn open_plot(sitting: &mut Sitting) {
     sitting.press(Key::I).click("Plot");
     assert!(sitting.flight().instruments().uses(Instrument::Plot));
@@ -67,7 +64,6 @@ pub fn written(sitting: &Sitting) -> PathBuf {
     PathBuf::from(words.strip_prefix("Written: ").unwrap())
 }
 
-/// The columns of a table with these headings.
 pub fn columns(path: &Path, headings: &[&str]) -> Vec<Vec<f64>> {
     let text = fs::read_to_string(path).unwrap();
     let mut lines = text.lines();
@@ -137,7 +133,6 @@ fn an_experiment_opens_on_what_moves_and_leads_back_to_the_list() {
 #[test]
 fn a_played_lesson_ends_with_g_in_a_file() {
     let mut sitting = free_fall();
-    // Stop time in the fall, and take it on by single ticks.
     sitting.wait(0.5).press(Key::B).press_all(&[Key::Period; 20]);
     let now = sitting.ticks();
     assert!(now > 70);
@@ -151,17 +146,14 @@ fn a_played_lesson_ends_with_g_in_a_file() {
         sitting.wait(0.1);
         let readings = sitting.flight().instruments().plot().readings();
         let name = format!("Ball {ball}");
-        assert_eq!(
-            readings.iter().map(|reading| reading.name.clone()).collect::<Vec<_>>(),
-            [format!("{name} y"), format!("{name} v_y")]
-        );
+        let names: Vec<_> = readings.iter().map(|reading| reading.name.clone()).collect();
+        assert_eq!(names, [format!("{name} y"), format!("{name} v_y")]);
         let [_, (found, unit), (area, way)] = readings[1].numbers;
         assert!((found.unwrap() + G).abs() <= 1e-9 * G, "the slope that is shown: {found:?}");
         let fallen = 0.5 * G * (now as f64 / 120.0).powi(2);
         assert!((area.unwrap() + fallen).abs() <= 1e-9 * fallen, "the area that is shown: {area:?}");
         assert_eq!((unit.name(), way.name()), ("m/s²".to_owned(), "m".to_owned()));
-        sitting.click("CSV");
-        sitting.rest();
+        sitting.click("CSV").rest();
         let path = written(&sitting);
         assert_eq!(path.parent().unwrap(), sitting.folder.path().join("exports"));
         let table = columns(&path, &["tick", "t (s)", &format!("{name} y (m)"), &format!("{name} v_y (m/s)")]);
@@ -169,19 +161,16 @@ fn a_played_lesson_ends_with_g_in_a_file() {
         assert_eq!((ticks.len() as u64, ticks[0], times[now as usize]), (now + 1, 0.0, now as f64 / 120.0));
         let g = -slope(times, speeds);
         assert!((g - G).abs() <= 1e-9 * G, "{g}");
-        // The places of the same fall.
         for (time, height) in times.iter().zip(heights) {
             let exact = heights[0] - 0.5 * G * time * time;
             assert!((height - exact).abs() <= 1e-9, "{time}: {height} {exact}");
         }
         slopes.push(g);
-        sitting.click("SVG");
-        sitting.rest();
+        sitting.click("SVG").rest();
         let svg = fs::read_to_string(written(&sitting)).unwrap();
         assert!(svg.contains(&format!("{name} v_y")) && svg.contains("v_y (m/s)") && svg.contains("t (s)") && !svg.contains("NaN"));
     }
     assert!(slopes.iter().all(|g| (g - slopes[0]).abs() <= 1e-12 * G), "all fall alike: {slopes:?}");
-    // Three tables and three pictures, each under a name of its own.
     let names = names(&sitting.folder.path().join("exports"));
     let base = "free-fall-y-v_y";
     let expected = ["-2.csv", "-2.svg", "-3.csv", "-3.svg", ".csv", ".svg"].map(|ending| format!("{base}{ending}"));

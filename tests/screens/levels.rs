@@ -70,11 +70,9 @@ fn a_broken_level_met_on_the_way_lands_on_level_select_with_its_problems() {
         fs::remove_dir_all(root.join("levels/2")).unwrap();
         level(root, "2", FAR_AWAY, "nonsense\n");
     });
-    sitting.complete();
-    sitting.choose("Next");
+    sitting.complete().choose("Next");
     assert_eq!(sitting.at(), "problems");
     assert!(sitting.shows("Level 2 does not load"));
-    // A level may break, or vanish, while the list is open.
     let mut sitting = Sitting::new();
     sitting.choose("Levels");
     fs::remove_dir_all(sitting.folder.path().join("levels/1")).unwrap();
@@ -152,7 +150,6 @@ fn an_error_is_never_stale() {
     sitting.choose("Levels").click("broken");
     assert_eq!(sitting.at(), "problems");
     sitting.press(Key::Escape);
-    // Mended while the list is open: the card says so soon, and pressing it at once opens the level.
     fs::write(sitting.folder.path().join("levels/broken/obstacles.csv"), "").unwrap();
     sitting.wait(0.7);
     assert!(sitting.level_select().entries[4].level.as_ref().unwrap().is_ok());

@@ -32,7 +32,6 @@ fn esc_takes_back_what_loads_and_nothing_of_it_comes_later() {
     assert!(!sitting.app.is_loading());
     sitting.work(10);
     assert_eq!(sitting.at(), "menu");
-    // Another request takes the place of one that waits.
     sitting.app.grant(Request::Reset(Destination::Play("2".into())), &mut ());
     sitting.app.grant(Request::Reset(Destination::Play("10".into())), &mut ());
     sitting.work(10);
@@ -87,7 +86,6 @@ fn every_screen_that_needs_a_level_waits_for_it() {
         sitting.work(1);
         assert_eq!((sitting.at(), sitting.app.is_loading()), (at, false));
     }
-    // Again, and the files of a flight, too.
     sitting.press(Key::Escape);
     sitting.app.grant(Request::Reset(Destination::Play("2".into())), &mut ());
     sitting.work(20);

@@ -47,8 +47,7 @@ fn the_menu_remembers_what_was_chosen() {
 #[test]
 fn one_press_is_one_action_however_long_it_is_held() {
     let mut sitting = Sitting::new();
-    sitting.press(Key::Down).give(enter());
-    sitting.hold(&[Key::Enter], 60);
+    sitting.press(Key::Down).give(enter()).hold(&[Key::Enter], 60);
     assert_eq!(sitting.at(), "level select", "Enter held does not choose a level as well");
     let mut sitting = Sitting::new();
     let pointer = sitting.area("Levels").centre();
@@ -74,9 +73,7 @@ fn a_right_click_in_the_menu_drops_a_ball_that_stays_in_the_window() {
     let button = sitting.area("Play").centre();
     assert_eq!(drop_at(&mut sitting, button), 3, "beside the button");
     assert_eq!(drop_at(&mut sitting, Vec2::new(-50.0, 9000.0)), 4, "at the window's edge");
-    for _ in 0..100 {
-        drop_at(&mut sitting, Vec2::new(200.0, 300.0));
-    }
+    (0..100).for_each(|_| _ = drop_at(&mut sitting, Vec2::new(200.0, 300.0)));
     for size in [Vec2::new(1280.0, 720.0), Vec2::new(900.0, 500.0), Vec2::new(500.0, 700.0)] {
         sitting.frame = Frame::of_window(size);
         sitting.wait(1.0);

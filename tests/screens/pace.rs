@@ -56,7 +56,6 @@ fn a_paused_flight_and_a_menu_of_buttons_are_drawn_when_something_changes() {
     let mut sitting = Sitting::new();
     sitting.fly("2").press(Key::Escape);
     let settings = |sitting: &mut Sitting| {
-        // The pause ends, the flight is given up for the menu's settings.
         sitting.press(Key::Escape).press(Key::Escape).choose("Main Menu").choose("Settings");
     };
     for open in [|_: &mut Sitting| {}, settings] {
@@ -70,7 +69,6 @@ fn a_paused_flight_and_a_menu_of_buttons_are_drawn_when_something_changes() {
         sitting.point_at(sitting.frame.size / 2.0);
         assert_eq!(sitting.app.picture(), Picture::Drawn, "{}", sitting.at());
     }
-    // Another window has the keyboard.
     drawn(&mut sitting, 100);
     assert!(sitting.app.interval(&Input { away: true, ..Input::default() }) > 1.0 / 30.0);
 }

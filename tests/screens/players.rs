@@ -6,7 +6,6 @@ use resultant::scores::Scores;
 use resultant::screens::{Input, Key};
 use std::fs;
 
-/// How many levels of the list are done.
 fn done(sitting: &mut Sitting) -> usize {
     sitting.choose("Levels").rest();
     let done = sitting.level_select().entries.iter().filter(|entry| entry.medals.medal == Some(Medal::Bronze)).count();
@@ -45,11 +44,9 @@ fn without_a_name_one_may_fly_and_keeps_what_was_done_once_it_is_said() {
     assert_eq!(done(&mut sitting), 1, "ann has flown it");
     sitting.become_new("bob");
     assert_eq!(done(&mut sitting), 0, "bob has not");
-    sitting.reopen();
-    sitting.choose("Players");
+    sitting.reopen().choose("Players");
     assert_eq!(sitting.choose("Guest").app.player().as_str(), "Guest");
-    sitting.choose("Players");
-    sitting.choose("bob");
+    sitting.choose("Players").choose("bob");
     assert_eq!(done(&mut sitting), 0, "to choose somebody from the list gives them nothing");
 }
 
@@ -68,8 +65,7 @@ fn nobody_is_called_guest_and_names_follow_the_rules() {
 #[test]
 fn every_attempt_that_ends_is_written_down() {
     let mut sitting = Sitting::new();
-    sitting.become_new("ann").complete().home().fly("3").wait(0.1).press(Key::R).wait(0.1);
-    sitting.press(Key::Enter).home();
+    sitting.become_new("ann").complete().home().fly("3").wait(0.1).press(Key::R).wait(0.1).press(Key::Enter).home();
     sitting.fly("2").wait(0.5).press(Key::R).press_all(&[Key::Escape, Key::Escape]);
     let text = sitting.scores_file("attempts.csv");
     let lines: Vec<&str> = text.split("\r\n").collect();
@@ -146,7 +142,6 @@ fn a_level_that_shares_a_name_with_the_players_file_is_refused() {
 fn the_credits_name_every_licence() {
     let mut sitting = Sitting::new();
     sitting.choose("Credits");
-    // From the first page to the last.
     let mut said = String::new();
     for _ in 0..30 {
         said += &sitting.texts().into_iter().map(|(text, _)| text + "\n").collect::<String>();

@@ -2,7 +2,7 @@
 
 use crate::lesson::{columns, experiment, free_fall, open_plot, written};
 use crate::sitting::{HERE, Sitting, level};
-use crate::support::shipped::fixture;
+use crate::support::shipped::{fixture, flown};
 use proptest::prelude::*;
 use resultant::draw::Canvas;
 use resultant::draw::layout::{Frame, Vec2};
@@ -18,7 +18,6 @@ fn plot(sitting: &Sitting) -> &Plot {
     sitting.flight().instruments().plot()
 }
 
-/// The plot's reading of a curve at the moment on the screen.
 fn value(sitting: &Sitting, number: usize) -> Option<f64> {
     plot(sitting).readings()[number].numbers[0].0
 }
@@ -39,13 +38,9 @@ fn names(sitting: &Sitting) -> Vec<String> {
 #[test]
 fn what_is_asked_for_late_is_there_from_the_first_tick() {
     let mut sitting = falling();
-    sitting.click("Curve 2: v_y");
-    sitting.click("E_kin");
-    sitting.click("+ Curve");
-    sitting.click("E_mech");
+    sitting.click("Curve 2: v_y").click("E_kin").click("+ Curve").click("E_mech");
     assert_eq!(names(&sitting), ["Ball 1 y", "Ball 1 E_kin", "Ball 1 E_mech"]);
-    sitting.click("CSV");
-    sitting.rest();
+    sitting.click("CSV").rest();
     let table = columns(&written(&sitting), &["tick", "Ball 1 E_kin (J)", "Ball 1 E_mech (J)"]);
     assert_eq!((table[0].len() as u64, table[0][0], table[1][0]), (sitting.ticks() + 1, 0.0, 0.0));
     assert!(table[2].iter().all(|energy| (energy - table[2][0]).abs() <= 1e-9 * energy), "it falls freely");
@@ -73,12 +68,10 @@ fn a_click_in_the_plot_leads_to_its_moment_where_the_world_stands_still() {
     }
     assert_eq!(sitting.flight().observer().focus().followed, followed, "the clicks were the plot's");
     assert!(sitting.flight().is_assisted() && sitting.flight().history().ticks() == end);
-    // From there it is flown otherwise, and the curve follows.
     sitting.press(Key::B).wait(0.1).press(Key::B).wait(0.1);
     let tick = sitting.ticks();
     assert!(tick < end && sitting.flight().history().ticks() == tick);
-    sitting.click("CSV");
-    sitting.rest();
+    sitting.click("CSV").rest();
     assert_eq!(columns(&written(&sitting), &["tick"])[0].len() as u64, tick + 1);
 }
 
@@ -103,8 +96,7 @@ fn it_opens_along_the_motion_and_the_area_under_v_is_the_way() {
 #[test]
 fn the_table_does_not_mix_pairs() {
     let mut sitting = experiment("momentum");
-    sitting.wait(0.1).press(Key::I);
-    sitting.click("Energy, work");
+    sitting.wait(0.1).press(Key::I).click("Energy, work");
     let table = |sitting: &Sitting| sitting.flight().instruments().measures().table().clone();
     let momentum = |sitting: &Sitting| table(sitting).lines[0].values.clone();
     assert_eq!((table(&sitting).columns, momentum(&sitting)), (vec!["Box 1".to_owned()], vec!["12.0 N·s".to_owned()]));
@@ -133,39 +125,27 @@ fn two_objects_are_compared_in_four_curves_and_no_more() {
         });
         sitting.wait(0.1);
     };
-    // The first ball is followed from the start.
     pick(&mut sitting, 3, true);
     assert_eq!(names(&sitting), ["Ball 1 y", "Ball 1 v_y", "Ball 3 y", "Ball 3 v_y"]);
     assert_eq!(value(&sitting, 1), value(&sitting, 3), "all fall alike");
     assert!(!sitting.labels().contains(&"+ Curve"));
-    // A kept object stays, whichever is followed.
     sitting.click("1st: Ball 1");
     pick(&mut sitting, 2, false);
     assert_eq!(names(&sitting)[0], "Ball 1 y");
-    sitting.click("1st: Ball 1, kept");
-    sitting.wait(0.1);
+    sitting.click("1st: Ball 1, kept").wait(0.1);
     assert_eq!(names(&sitting)[..2], ["Ball 2 y", "Ball 2 v_y"]);
-    for _ in 0..4 {
-        sitting.click("Curve 1: ×");
-    }
+    (0..4).for_each(|_| _ = sitting.click("Curve 1: ×"));
     assert!(names(&sitting).is_empty() && !sitting.labels().contains(&"Curve 1: ×"));
-    sitting.click("CSV");
-    sitting.rest();
+    sitting.click("CSV").rest();
     assert_eq!(sitting.warning().as_deref(), Some("There is no curve to be exported."));
-    for _ in 0..4 {
-        sitting.click("+ Curve");
-        sitting.click_at(Vec2::new(640.0, 100.0));
-    }
+    (0..4).for_each(|_| _ = sitting.click("+ Curve").click_at(Vec2::new(640.0, 100.0)));
     assert!(names(&sitting).len() == 4 && !sitting.labels().contains(&"+ Curve"));
 }
 
 #[test]
 fn one_quantity_over_another_has_its_area_and_its_cursor() {
     let mut sitting = falling();
-    sitting.click("Across: t");
-    sitting.click("y");
-    sitting.click("Curve 2: v_y");
-    sitting.click("F_y");
+    sitting.click("Across: t").click("y").click("Curve 2: v_y").click("F_y");
     let [_, _, (work, unit)] = plot(&sitting).readings()[1].numbers;
     let ball = sitting.game().world().body(BodyId(1)).clone();
     let kinetic = 0.5 * ball.mass * ball.velocity.length_squared();
@@ -204,8 +184,7 @@ fn where_nothing_can_be_written_that_is_said_and_nothing_is_there() {
     let mut sitting = free_fall();
     fs::write(sitting.folder.path().join("exports"), "a file").unwrap();
     open_plot(&mut sitting);
-    sitting.click("CSV");
-    sitting.rest();
+    sitting.click("CSV").rest();
     let words = sitting.warning().unwrap();
     assert!(words.contains("exports") && words.contains("cannot keep the curves"), "{words}");
     assert_eq!(fs::read_to_string(sitting.folder.path().join("exports")).unwrap(), "a file");
@@ -226,8 +205,7 @@ fn a_flight_that_has_ended_stays_to_be_looked_at_while_it_is_plotted() {
 fn a_watched_flight_is_plotted_and_gone_through() {
     let mut sitting = Sitting::with(|root| level(root, "0", "PLAYER,380,60,40,40\n", ""));
     sitting.fly("0");
-    sitting.hold_until(&[Key::Space], |sitting| sitting.at() != "flight").wait(0.5);
-    sitting.choose("Watch").press(Key::I);
+    sitting.hold_until(&[Key::Space], |sitting| sitting.at() != "flight").wait(0.5).choose("Watch").press(Key::I);
     sitting.click("Plot").wait(0.3);
     assert!(sitting.labels().contains(&"Pause"));
     let place = sitting.flight().instruments().plot().at(1, 25).unwrap();
@@ -236,21 +214,13 @@ fn a_watched_flight_is_plotted_and_gone_through() {
 }
 
 /// A flight of the fixture 1: `thrust` ticks with thrust, then without.
-fn flown(thrust: u64, ticks: u64) -> (Game, History) {
-    let mut game = Game::new(fixture("1")).unwrap();
-    let mut history = History::new(&game);
-    for tick in 0..ticks {
-        let controls = Controls { thrust: tick < thrust, ..Controls::default() };
-        game.step(controls);
-        history.note(&game, controls);
-    }
-    (game, history)
+fn thrusting(thrust: u64, ticks: u64) -> (Game, History) {
+    flown(fixture("1"), (0..ticks).map(|tick| Controls { thrust: tick < thrust, ..Controls::default() }))
 }
 
 #[test]
 fn the_run_before_shares_the_axes_of_the_run() {
-    let (game, history) = flown(60, 200);
-    let (_, longer) = flown(100, 800);
+    let ((game, history), (_, longer)) = (thrusting(60, 200), thrusting(100, 800));
     let shorter = longer.until(400);
     let focus = Focus::default();
     let stage = |before| Stage {
@@ -277,7 +247,6 @@ fn the_run_before_shares_the_axes_of_the_run() {
     let beside = plot.at(0, 200).unwrap();
     let left = plot.at(0, 0).unwrap().x;
     assert!(((beside.x - left) / (alone.x - left) - 0.25).abs() < 1e-3, "four times as long: {alone} {beside}");
-    // It may go on, or lose what it did last.
     settle(&mut plot, Some(&shorter));
     let part = |plot: &Plot| (plot.at(0, 200).unwrap().x - left) / (alone.x - left);
     assert!((part(&plot) - 0.5).abs() < 1e-3);
@@ -320,7 +289,6 @@ fn a_fall_fits_a_parabola_with_half_of_g_and_its_speed_a_line() {
     let parabola = fitted(&mut sitting, "line", "parabola");
     assert!((parabola.factors()[2] + 9.81 / 2.0).abs() < 1e-9 && parabola.residual < 1e-10, "{parabola:?}");
     assert!(sitting.shows("y = −4.9050 m/s²·t²"), "the foot names its figures");
-    // The other curve, over a marked stretch.
     sitting.click("Curve 2").rest();
     let tick = |seconds: f64| (seconds * 120.0) as u64;
     for (click, at) in [(true, 0.2), (false, 0.6)] {
@@ -328,15 +296,11 @@ fn a_fall_fits_a_parabola_with_half_of_g_and_its_speed_a_line() {
         let held = [Key::Shift].into_iter().collect();
         sitting.give(Input { pointer, click, holding: true, held, ..Input::default() });
     }
-    sitting.rest();
-    sitting.click("Fit: parabola");
-    sitting.click("Fit: sine");
+    sitting.rest().click("Fit: parabola").click("Fit: sine");
     let line = fitted(&mut sitting, "none", "line");
     assert!((line.factors()[1] + 9.81).abs() < 1e-9 && line.residual < 1e-12, "{line:?}");
     assert!((line.from - 0.2).abs() < 0.02 && (line.to - 0.6).abs() < 0.02, "{line:?}");
-    // The picture has the law and its figures, on white.
-    sitting.click("SVG");
-    sitting.rest();
+    sitting.click("SVG").rest();
     let picture = fs::read_to_string(written(&sitting)).unwrap();
     assert!(picture.contains("v_y = −9.8100 m/s²·t") && picture.contains("fill=\"#ffffff\"/>\n"), "{}", &picture[..600]);
 }
@@ -345,8 +309,7 @@ fn a_fall_fits_a_parabola_with_half_of_g_and_its_speed_a_line() {
 fn every_lane_names_two_numbers_also_where_four_share_the_height() {
     let mut sitting = falling();
     for quantity in ["a_y", "E_kin"] {
-        sitting.click("+ Curve");
-        sitting.click(quantity);
+        sitting.click("+ Curve").click(quantity);
     }
     sitting.rest();
     assert_eq!(names(&sitting).len(), 4);

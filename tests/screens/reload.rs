@@ -32,7 +32,6 @@ fn a_saved_file_is_there_within_half_a_second_and_the_flight_goes_on_where_it_wa
     assert!(game.ticks() > before.ticks() && game.fuel() == before.fuel());
     assert!(sitting.shows("Read again: you fly on in it, with help."));
     assert!(sitting.flight().is_assisted(), "what was flown in two levels is no score");
-    // R begins again, in the new one.
     sitting.press(Key::R);
     assert_eq!((sitting.game().level().player.position, solids(&sitting)), (DVec2::new(400.0, 300.0) / 30.0, 1));
     assert!(!sitting.flight().is_assisted() && !sitting.shows("Read again"));
@@ -62,7 +61,6 @@ fn a_broken_edit_is_reported_above_the_flight_until_it_is_mended() {
     let ticks = sitting.ticks();
     sitting.wait(0.2);
     assert!(sitting.ticks() > ticks && sitting.shows(BROKEN));
-    // R begins the loaded level again, and the message stays.
     sitting.press(Key::R);
     assert!(sitting.ticks() < 5 && sitting.shows(BROKEN));
     fs::write(file(&sitting, "objectives.csv"), sound).unwrap();
@@ -98,7 +96,6 @@ fn what_is_dropped_on_the_window_opens() {
     for path in [folder.clone(), folder.join("player.csv")] {
         sitting.give(Input { dropped: vec![path], ..Input::default() });
         assert_eq!((sitting.at(), sitting.flown()), ("flight", "mine"));
-        // The game reads it again after a change, also by R.
         fs::write(folder.join("world.csv"), "0,580,800,20\n").unwrap();
         sitting.wait(0.4);
         assert_eq!(solids(sitting.press(Key::R)), 1);

@@ -17,7 +17,6 @@ fn arrows_change_values_and_enter_takes_a_key() {
     assert_eq!(keys(sitting.press(Key::Tab)), [Some(Key::Tab), Some(Key::W)], "any key, Tab too");
     assert_eq!(keys(sitting.press(Key::Delete)), [None, Some(Key::W)]);
     assert_eq!(keys(sitting.press(Key::Enter).press(Key::W)), [Some(Key::W), None], "a key stands once");
-    // While the screen waits for a key it takes no other press: Esc and a click change nothing.
     sitting.press(Key::Enter).press(Key::Escape);
     assert!(!sitting.shows("press a key") && sitting.at() == "settings");
     sitting.press(Key::Enter).click("Defaults");
@@ -29,8 +28,7 @@ fn arrows_change_values_and_enter_takes_a_key() {
 fn a_key_that_was_set_flies_and_the_old_one_does_not() {
     let burning = |key: Key| {
         let mut sitting = Sitting::new();
-        sitting.choose("Settings").press(Key::Tab).press(Key::Enter).press(Key::T).press(Key::Escape).press(Key::Up);
-        sitting.fly("3");
+        sitting.choose("Settings").press(Key::Tab).press(Key::Enter).press(Key::T).press(Key::Escape).press(Key::Up).fly("3");
         let held = [key].into_iter().collect();
         sitting.give(Input { held, ..Input::default() }).give(Input { held, ..Input::default() });
         sitting.game().ship().burning
@@ -66,8 +64,7 @@ fn a_flight_with_help_is_marked() {
         while sitting.focused() != "Assist: game speed" {
             sitting.press(Key::Down);
         }
-        sitting.press_all(&[Key::Left][..steps]);
-        sitting.press(Key::Escape).complete();
+        sitting.press_all(&[Key::Left][..steps]).press(Key::Escape).complete();
         assert_eq!(sitting.scoring().result.assisted, marked);
     }
 }

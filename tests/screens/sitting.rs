@@ -77,18 +77,15 @@ impl Sitting {
         (0..errands).take_while(|_| self.app.session.worker.step().then(|| self.rest()).is_some()).count()
     }
 
-    /// The game is closed and opened again.
     pub fn reopen(&mut self) -> &mut Self {
         self.app = Stack::new(places(&self.folder));
         self.rest()
     }
 
-    /// A file of the folder of scores.
     pub fn scores_file(&self, name: &str) -> String {
         fs::read_to_string(self.folder.path().join("scores").join(name)).unwrap_or_default()
     }
 
-    /// One frame.
     pub fn give(&mut self, input: Input) -> &mut Self {
         self.give_to(input, &mut ())
     }
@@ -100,7 +97,6 @@ impl Sitting {
         self
     }
 
-    /// A frame without input.
     pub fn rest(&mut self) -> &mut Self {
         self.give(Input::default())
     }
@@ -123,7 +119,6 @@ impl Sitting {
         self.give(Input { pressed: keys(pressed), held: keys(held), ..Input::default() })
     }
 
-    /// Frames with these keys down.
     pub fn hold(&mut self, held: &[Key], frames: usize) -> &mut Self {
         (0..frames).for_each(|_| _ = self.press_keys(&[], held));
         self
@@ -148,7 +143,6 @@ impl Sitting {
         self.point_at(pointer).give(Input { pointer, click: true, holding: true, ..Input::default() }).point_at(pointer)
     }
 
-    /// In the menu the column with that button is shown.
     fn turn_to(&mut self, label: &str) {
         if self.at() == "menu" && !self.labels().contains(&label) {
             let other = if self.labels().contains(&"More") { "More" } else { "Back" };
@@ -183,13 +177,11 @@ impl Sitting {
         panic!("the arrows do not lead to {label:?} of {:?}", self.labels());
     }
 
-    /// Where a button is.
     pub fn area(&self, label: &str) -> Area {
         let widget = self.app.memory.widgets().iter().find(|widget| widget.label == label);
         widget.unwrap_or_else(|| panic!("{label} is none of {:?} at {}", self.labels(), self.at())).area
     }
 
-    /// Where all buttons are.
     pub fn areas(&self) -> Vec<Area> {
         self.app.memory.widgets().iter().map(|widget| widget.area).collect()
     }
@@ -212,7 +204,6 @@ impl Sitting {
         self.app.memory.widgets().iter().map(|widget| widget.label.as_str()).collect()
     }
 
-    /// The label of the widget that has the focus.
     pub fn focused(&self) -> &str {
         self.app.memory.focused().unwrap_or_default()
     }
@@ -226,7 +217,6 @@ impl Sitting {
             .collect()
     }
 
-    /// Whether a line of text on the screen holds these words.
     pub fn shows(&self, words: &str) -> bool {
         self.texts().iter().any(|(text, _)| text.contains(words))
     }
@@ -247,12 +237,10 @@ impl Sitting {
         row.into_iter().map(|(text, _)| text).collect()
     }
 
-    /// Where a line of text is.
     pub fn place(&self, words: &str) -> Vec2 {
         self.texts().iter().find(|(text, _)| text == words).unwrap_or_else(|| panic!("{words:?} is not shown")).1
     }
 
-    /// The colour of a line of text.
     pub fn colour(&self, words: &str) -> Colour {
         let shapes = self.app.canvas().shapes();
         let of = |shape: &Shape| {
@@ -340,7 +328,6 @@ impl Sitting {
         level_select: LevelSelect, editor: Editor, flight: Flight, scoring: Scoring, flights: Flights, leaderboard: Leaderboard, menu: Menu
     }
 
-    /// The game that is flown.
     pub fn game(&self) -> &Game {
         self.flight().game()
     }
@@ -349,17 +336,14 @@ impl Sitting {
         self.game().ticks()
     }
 
-    /// The game on the screen.
     pub fn scene(&self) -> GameScene<'_> {
         self.app.screen().scene(&self.frame).unwrap_or_else(|| panic!("no game at {}", self.at()))
     }
 
-    /// The names of the levels in the list.
     pub fn level_names(&self) -> Vec<&str> {
         self.level_select().entries.iter().map(|entry| entry.name.as_str()).collect()
     }
 
-    /// The level that is flown.
     pub fn flown(&self) -> &str {
         &self.game().level().name
     }
@@ -375,14 +359,12 @@ impl Sitting {
         self
     }
 
-    /// Back to the menu.
     pub fn home(&mut self) -> &mut Self {
         (0..5).for_each(|_| _ = self.press(Key::Escape));
         assert_eq!(self.at(), "menu");
         self
     }
 
-    /// From the menu into a level, by its name.
     pub fn fly(&mut self, level: &str) -> &mut Self {
         self.choose("Levels").choose(level)
     }
@@ -421,7 +403,6 @@ pub fn level(root: &Path, name: &str, objectives: &str, obstacles: &str) {
     fs::write(folder.join("obstacles.csv"), obstacles).unwrap();
 }
 
-/// A sitting with a file in the folder of scores.
 pub fn with_scores(name: &str, text: &str) -> Sitting {
     Sitting::with(|root| {
         fs::create_dir(root.join("scores")).unwrap();

@@ -21,24 +21,19 @@ pub fn varying() -> Sitting {
     sitting
 }
 
-/// Opens the rail, and on it the panel.
 fn open(sitting: &mut Sitting) {
     sitting.press(Key::I).click("What if …");
     assert!(sitting.flight().instruments().uses(Instrument::Vary));
     assert!(sitting.shows(" and level"));
 }
 
-/// The label of a number.
 pub fn number(parameter: Parameter) -> String {
     format!("{}: number", parameter.name())
 }
 
-/// Types a number into its field.
 pub fn type_in(sitting: &mut Sitting, parameter: Parameter, text: &str) {
     sitting.click(&number(parameter));
-    for _ in 0..40 {
-        sitting.press(Key::Backspace);
-    }
+    sitting.press_all(&[Key::Backspace; 40]);
     sitting.write(text).press(Key::Enter);
 }
 
@@ -86,7 +81,6 @@ fn a_typed_number_is_flown_at_once_by_the_same_keys_beside_the_run_before() {
     let flight = sitting.flight();
     assert_eq!((flight.game().ticks(), flight.game().level().gravity), (before.ticks(), 3.5), "the same moment");
     assert_eq!(flight.attempt_level().gravity, 15.0, "the level itself is as it was");
-    // Only the level was changed: the same keys in it make the same flight.
     let mut again = tape.fly_in(flight.game().shared_level().clone(), before.ticks()).unwrap();
     assert!(again.fly(u64::MAX));
     assert_eq!(again.done().0.hash(), flight.game().hash());
@@ -100,15 +94,11 @@ fn a_typed_number_is_flown_at_once_by_the_same_keys_beside_the_run_before() {
     assert_eq!(sitting.flight().game_before().unwrap().ticks(), before.ticks() - 2);
     sitting.press_all(&[Key::Period, Key::Period, Key::Period]);
     let (flight, ticks) = (sitting.flight(), before.ticks() + 1);
-    assert_eq!(
-        (flight.game().ticks(), flight.game_before().unwrap().ticks(), flight.before().unwrap().ticks()),
-        (ticks, ticks, ticks)
-    );
+    assert_eq!([flight.game().ticks(), flight.game_before().unwrap().ticks(), flight.before().unwrap().ticks()], [ticks; 3]);
     sitting.press(Key::B).wait(0.5);
     let flight = sitting.flight();
     assert_eq!(flight.game_before().unwrap().ticks(), flight.game().ticks());
     assert_eq!(flight.game_before().unwrap().level().gravity, 15.0);
-    // A run that goes on from an earlier moment drops the ghost's ticks beyond the ghost's own end.
     let end = flight.game().ticks();
     sitting.press(Key::B).press_all(&[Key::Comma; 10]).press(Key::B).wait(0.05);
     assert!(sitting.flight().before().unwrap().ticks() < end);
@@ -122,19 +112,12 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
     sitting.click(&mass);
     assert_eq!(entry(&sitting), Some((mass.clone(), "100".into())));
     let (fuel, angle) = (sitting.game().ship().fuel, sitting.game().ship().angle);
-    for key in [Key::Space, Key::Left, Key::B, Key::I, Key::Tab, Key::F3] {
-        sitting.press(key);
-    }
+    sitting.press_all(&[Key::Space, Key::Left, Key::B, Key::I, Key::Tab, Key::F3]);
     sitting.hold(&[Key::Space], 1);
     let flight = sitting.flight();
     assert_eq!((flight.game().ship().fuel, flight.game().ship().angle), (fuel, angle));
-    assert!(
-        !flight.observer().frozen()
-            && !sitting.scene().overlays.details
-            && flight.instruments().is_open()
-            && !sitting.labels().contains(&"Resume")
-    );
-    // R types nothing here and restarts nothing.
+    assert!(!flight.observer().frozen() && !sitting.scene().overlays.details);
+    assert!(flight.instruments().is_open() && !sitting.labels().contains(&"Resume"));
     let ticks = flight.game().ticks();
     sitting.press(Key::R);
     assert!(sitting.ticks() > ticks);
@@ -165,13 +148,11 @@ fn what_is_typed_flies_nothing_and_what_will_not_do_says_what_would() {
     sitting.click(&mass).write("1").give(enter);
     assert_eq!(value(&sitting, Parameter::Mass(0)), 17.0, "typed in the frame of Enter");
     sitting.click(&mass).press(Key::Backspace).write("100").press(Key::Enter);
-    // Each of two is accepted, but not both.
     type_in(&mut sitting, Parameter::Thrust, "1e6");
     type_in(&mut sitting, Parameter::Mass(0), "1");
     let (told, bad) = message(&mut sitting).expect("it is refused");
     assert!(bad && told.contains("10000 m/s²"), "{told}");
     assert_eq!((value(&sitting, Parameter::Thrust), value(&sitting, Parameter::Mass(0))), (1e6, 100.0));
-    // A true minus is a minus, and up is up.
     type_in(&mut sitting, Parameter::VelocityY(0), "−2.5");
     assert_eq!(sitting.game().level().player.velocity, DVec2::new(0.0, 2.5));
 }
@@ -188,14 +169,12 @@ fn a_slider_is_dragged_against_one_run_before_and_steps_are_fine() {
         sitting.give(Input { pointer: at(part), holding: true, ..Input::default() });
         assert_eq!(sitting.flight().game_before().unwrap().hash(), flown, "one drag, one run before");
     }
-    // Off its end the slider stays held, and no click of the panel follows a body.
     sitting.give(Input { pointer: at(-3.0), holding: true, ..Input::default() });
     assert_eq!(value(&sitting, Parameter::Gravity), 0.0);
     sitting.point_at(at(0.9));
     assert_eq!(value(&sitting, Parameter::Gravity), 0.0, "let go");
     let weightless = sitting.game().hash();
 
-    // The next drag is compared with the run before it.
     sitting.give(Input { pointer: at(0.5), wheel: 1.0, ..Input::default() });
     assert_eq!((value(&sitting, Parameter::Gravity), sitting.flight().game_before().unwrap().hash()), (0.01, flown), "it goes on");
     let mass = Parameter::Mass(0);
@@ -213,8 +192,7 @@ fn a_slider_is_dragged_against_one_run_before_and_steps_are_fine() {
 #[test]
 fn from_now_it_goes_on_where_it_is_and_start_velocities_wait_for_a_start() {
     let mut sitting = varying();
-    sitting.wait(0.5).press(Key::B);
-    sitting.click("From now");
+    sitting.wait(0.5).press(Key::B).click("From now");
     assert!(sitting.is_chosen("From now") && !sitting.is_chosen("From the start"));
     let (place, ticks) = (ship(&sitting), sitting.ticks());
     type_in(&mut sitting, Parameter::Gravity, "0");
@@ -226,14 +204,12 @@ fn from_now_it_goes_on_where_it_is_and_start_velocities_wait_for_a_start() {
     assert!(now > 0.5 * falls && now <= falls, "without weight it only brakes: {falls}, {now}");
     assert!(flight.game_before().unwrap().world().body(SHIP).velocity.y > falls, "the run before falls on");
     assert_eq!(flight.game_before().unwrap().ticks(), flight.game().ticks());
-    // Time goes back over the change.
     sitting.press(Key::B);
     let back = (sitting.ticks() - ticks) as usize + 5;
     sitting.press_all(&vec![Key::Comma; back]);
     assert_eq!((sitting.ticks(), value(&sitting, Parameter::Gravity)), (ticks - 5, 15.0));
     sitting.click(&number(Parameter::VelocityX(0)));
     assert!(entry(&sitting).is_none());
-    // From the start again, all that is varied holds from there.
     sitting.click("From the start");
     type_in(&mut sitting, Parameter::Mass(0), "200");
     let flight = sitting.flight();
@@ -251,13 +227,11 @@ fn a_varied_run_that_ends_is_no_attempt_and_leads_back_to_the_level_as_it_is() {
     assert_eq!(sitting.game().outcome(), Outcome::Completed);
     sitting.wait(3.0);
     assert_eq!((sitting.at(), attempts(&sitting)), ("flight", 1), "it waits, and is no attempt");
-    // No attempt either where each change was taken back.
     sitting.click(&format!("{}: reset", Parameter::Gravity.name())).wait(2.0);
     assert_eq!((value(&sitting, Parameter::Gravity), sitting.game().outcome()), (15.0, Outcome::Completed));
     assert!(sitting.flight().variation().is_some_and(|variation| variation.is_empty()));
     assert_eq!((sitting.at(), attempts(&sitting)), ("flight", 1));
     assert!(!sitting.folder.path().join("flights").exists(), "nor is it kept");
-    // The level as it is, from its start, counts again.
     sitting.press(Key::Escape);
     assert!(sitting.flight().variation().is_none() && !sitting.flight().is_assisted());
     sitting.wait(1.5);
@@ -282,13 +256,11 @@ fn reset_all_is_a_fresh_attempt_and_r_begins_the_varied_level_again() {
     let flight = sitting.flight();
     assert!(flight.game().ticks() < 5 && flight.game().level().gravity == 15.0);
     assert!(flight.variation().is_none() && flight.before().is_none() && !flight.is_assisted());
-    // A change that is taken back by hand leaves no attempt, until the level begins again.
     type_in(&mut sitting, Parameter::Gravity, "3");
     type_in(&mut sitting, Parameter::Gravity, "15");
     assert!(sitting.flight().variation().is_some_and(|variation| variation.is_empty()) && sitting.flight().is_assisted());
     sitting.press(Key::R);
     assert!(sitting.flight().variation().is_none() && !sitting.flight().is_assisted());
-    // A player who leaves the level leaves the variation behind.
     type_in(&mut sitting, Parameter::Gravity, "3");
     sitting.press(Key::Escape).choose("Level Select").choose("2");
     assert!(sitting.flight().variation().is_none() && sitting.game().level().gravity == 15.0);
@@ -328,7 +300,6 @@ fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
     let levels = sitting.folder.path().join("levels");
     for (typed, name) in [("moon", "moon"), ("", "2-what-if"), ("", "2-what-if-2")] {
         sitting.click("Save as level");
-        // The hint stands in an empty field.
         assert_eq!(entry(&sitting), Some(("Name of the level".into(), "its name, or Enter for any".into())));
         sitting.write(typed).press(Key::Enter);
         let told = message(&mut sitting).expect("it is said where").0;
@@ -340,8 +311,7 @@ fn what_is_varied_is_saved_as_a_level_of_its_own_that_can_be_chosen() {
     for (typed, refusal) in
         [("moon", "there is one of that name already"), ("../x", "letters, digits"), ("jumper", "scores/jumper.csv")]
     {
-        sitting.click("Save as level");
-        sitting.write(typed).press(Key::Enter);
+        sitting.click("Save as level").write(typed).press(Key::Enter);
         let (told, bad) = message(&mut sitting).unwrap();
         assert!(bad && told.contains(refusal), "{told}");
     }
@@ -376,8 +346,7 @@ fn a_run_that_ends_early_keeps_the_moment_for_the_next_change() {
 fn a_long_flight_is_flown_again_over_several_frames() {
     let mut sitting = varying();
     sitting.give(Input { pressed: [Key::RightBracket].into_iter().collect(), ..Input::default() });
-    sitting.press_all(&[Key::RightBracket; 3]);
-    sitting.wait(40.0).press(Key::B);
+    sitting.press_all(&[Key::RightBracket; 3]).wait(40.0).press(Key::B);
     let ticks = sitting.ticks();
     assert!(ticks > 2000, "{ticks}");
     type_in(&mut sitting, Parameter::Gravity, "3");

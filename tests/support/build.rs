@@ -10,12 +10,14 @@ pub const G: f64 = 15.0;
 /// The ship, and any other single body.
 pub const BODY: BodyId = BodyId(0);
 
-/// A box by its corners, m.
+pub fn v(x: f64, y: f64) -> DVec2 {
+    DVec2::new(x, y)
+}
+
 pub fn area(left: f64, top: f64, right: f64, bottom: f64) -> Aabb {
     Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom))
 }
 
-/// A solid block of asphalt by its corners, m.
 pub fn block(left: f64, top: f64, right: f64, bottom: f64) -> SurfaceDef {
     SurfaceDef::fixed(area(left, top, right, bottom), Material::ASPHALT)
 }
@@ -39,6 +41,11 @@ pub fn floor(material: Material) -> SurfaceDef {
 /// A crate of 1 m × 1 m.
 pub fn crate_at(x: f64, y: f64, mass: f64) -> BodyDef {
     BodyDef { position: DVec2::new(x, y), mass, ..BodyDef::default() }
+}
+
+/// A crate that moves along x.
+pub fn elastic(position: DVec2, mass: f64, speed: f64) -> BodyDef {
+    BodyDef { position, velocity: v(speed, 0.0), mass, restitution: 1.0, ..BodyDef::default() }
 }
 
 /// A liquid 30 m deep whose surface is at y = 0.

@@ -6,17 +6,11 @@ use resultant::physics::{BodyDef, DVec2, Plan, SurfaceDef, World, WorldDef};
 /// The gravity of these scenes, N/kg.
 pub const G: f64 = 9.81;
 
-/// A solid of asphalt by its corners, m.
-pub fn surface(left: f64, top: f64, right: f64, bottom: f64) -> SurfaceDef {
-    block(left, top, right, bottom)
-}
-
 /// A square of the default size and mass.
 pub fn square(x: f64, y: f64) -> BodyDef {
     BodyDef { position: DVec2::new(x, y), ..BodyDef::default() }
 }
 
-/// A scene without air.
 pub fn scene(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>, gravity: f64) -> WorldDef {
     WorldDef { bodies, surfaces, gravity, air_density: 0.0, ..WorldDef::default() }
 }
@@ -27,7 +21,6 @@ pub fn dense(def: WorldDef) -> World {
     World::with_plan(def, plan).unwrap()
 }
 
-/// The same without sleep.
 pub fn restless(def: WorldDef) -> World {
     let plan = Plan { dense: true, direct: false, ..Plan::of(&def) };
     World::with_plan(def, plan).unwrap()
@@ -46,8 +39,8 @@ pub fn rain_into(left: f64, n: usize, columns: usize, masses: (f64, f64), mut ra
             ..BodyDef::default()
         })
         .collect();
-    let floor = surface(left - 5.0, 0.0, right + 5.0, 1.0);
-    let surfaces = vec![floor, surface(left - 1.0, -900.0, left, 0.0), surface(right, -900.0, right + 1.0, 0.0)];
+    let floor = block(left - 5.0, 0.0, right + 5.0, 1.0);
+    let surfaces = vec![floor, block(left - 1.0, -900.0, left, 0.0), block(right, -900.0, right + 1.0, 0.0)];
     WorldDef { bodies, surfaces, ..empty() }
 }
 

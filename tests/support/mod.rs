@@ -27,7 +27,7 @@ pub mod turned;
 pub mod written;
 
 pub use ask::Ask;
-pub use build::{BODY, G, TICK, area, block, crate_at, crowd, floor, pool, room, world};
+pub use build::{BODY, G, TICK, area, block, crate_at, crowd, elastic, floor, pool, room, v, world};
 pub use levels::{Memory, level_texts};
 pub use measure::{
     assert_all_at_rest, bits, bits_of_body, crushed, deepest, energy, from_below, momentum, momentum_scale, named_forces, run,

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-/// A folder with `levels/`, and the program told to use it.
 pub struct Data {
     folder: tempfile::TempDir,
 }
@@ -25,7 +24,6 @@ impl Data {
         self.path(name).to_str().unwrap().to_owned()
     }
 
-    /// Writes a file and returns its path for the command line.
     pub fn write(&self, name: &str, text: &str) -> String {
         let path = self.path(name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
@@ -45,7 +43,6 @@ impl Data {
         Ran::new(&mut self.command(args))
     }
 
-    /// The program about to run.
     pub fn command(&self, args: &[&str]) -> Command {
         let mut command = resultant();
         command.arg("--data").arg(self.folder.path()).args(args);
@@ -74,7 +71,6 @@ impl Ran {
         Self { status: status.code().unwrap_or(-1), out: text(stdout), err: text(stderr) }
     }
 
-    /// The value of a line `key=value`.
     pub fn value(&self, key: &str) -> &str {
         let line = self.out.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix('='));
         line.unwrap_or_else(|| panic!("no {key} in {self:?}"))

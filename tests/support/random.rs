@@ -33,7 +33,6 @@ impl Random {
         (self.unit() * n as f64) as usize
     }
 
-    /// One of these.
     pub fn pick<T: Copy>(&mut self, of: &[T]) -> T {
         of[self.below(of.len())]
     }

@@ -13,12 +13,10 @@ pub const REVERSE: Controls = Controls { reverse: true, ..NONE };
 pub const LEFT: Controls = Controls { left: true, ..NONE };
 pub const RIGHT: Controls = Controls { right: true, ..NONE };
 
-/// An attempt at a level.
 pub fn start(level: Level) -> Game {
     Game::new(Arc::new(level)).expect("the level can be played")
 }
 
-/// Keeps these keys pressed for that many ticks.
 pub fn fly(game: &mut Game, controls: Controls, ticks: u32) {
     (0..ticks).for_each(|_| game.step(controls));
 }
@@ -46,7 +44,6 @@ pub fn yard() -> Level {
     level
 }
 
-/// An objective block.
 pub fn objective(kind: ObjectiveKind, bounds: Aabb) -> Objective {
     Objective::new(kind, bounds)
 }

@@ -23,18 +23,15 @@ pub fn standing(x: f64, mass: f64) -> BodyDef {
     BodyDef { position: DVec2::new(x, -0.5), mass, ..BodyDef::default() }
 }
 
-/// Bodies on a floor of asphalt, without air.
 pub fn on_a_floor(bodies: Vec<BodyDef>, rest_speed: f64) -> WorldDef {
     WorldDef { air_density: 0.0, rest_speed, bodies, surfaces: vec![super::floor(Material::ASPHALT)], ..WorldDef::default() }
 }
 
-/// A body thrown without air.
 pub fn thrown() -> WorldDef {
     let body = BodyDef { velocity: DVec2::new(7.0, -20.0), ..BodyDef::default() };
     WorldDef { air_density: 0.0, bodies: vec![body], ..WorldDef::default() }
 }
 
-/// A body that slides with 9.6 m/s.
 pub fn slide() -> WorldDef {
     on_a_floor(vec![BodyDef { velocity: DVec2::new(9.6, 0.0), ..standing(0.0, 75.0) }], 1.0)
 }

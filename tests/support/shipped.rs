@@ -1,6 +1,7 @@
 //! The levels and experiments that ship, and the flights that are recorded with them; levels that stay as they are.
 
-use resultant::game::Replay;
+use resultant::files::EXPERIMENTS;
+use resultant::game::{Controls, Game, History, Replay};
 use resultant::level::{self, Level};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -24,7 +25,7 @@ pub fn load(name: &str) -> Arc<Level> {
 }
 
 pub fn experiment(name: &str) -> Arc<Level> {
-    load_from(project(), "experiments", name)
+    load_from(project(), EXPERIMENTS, name)
 }
 
 fn load_from(root: &Path, of: &str, name: &str) -> Arc<Level> {
@@ -35,7 +36,7 @@ fn load_from(root: &Path, of: &str, name: &str) -> Arc<Level> {
 }
 
 pub fn experiments() -> Vec<String> {
-    let names = level::list(&project().join("experiments"));
+    let names = level::list(&project().join(EXPERIMENTS));
     assert!(names.len() >= 12, "{names:?}");
     names
 }
@@ -46,7 +47,6 @@ pub fn levels() -> Vec<String> {
     names
 }
 
-/// The flights of a shipped level, by their names.
 pub fn flights(name: &str) -> BTreeMap<String, Replay> {
     flights_from(project(), name)
 }
@@ -63,13 +63,20 @@ fn flights_from(root: &Path, name: &str) -> BTreeMap<String, Replay> {
     files.map(|entry| flight(entry.unwrap().path())).collect()
 }
 
-/// The names in a folder, in order.
+/// Every flight that is recorded with a shipped level, by the names of both.
+pub fn recorded() -> impl Iterator<Item = (Arc<Level>, String, Replay)> {
+    let of_level = |name: String| {
+        let level = load(&name);
+        flights(&name).into_iter().map(move |(flight, replay)| (level.clone(), format!("level {name}, {flight}"), replay))
+    };
+    levels().into_iter().flat_map(of_level)
+}
+
 pub fn names(folder: &Path) -> Vec<String> {
     let names = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
     names.collect::<BTreeSet<_>>().into_iter().collect()
 }
 
-/// Copies a folder with all below it.
 pub fn copy(from: &Path, to: &Path) {
     std::fs::create_dir_all(to).unwrap();
     for entry in std::fs::read_dir(from).unwrap().map(Result::unwrap) {
@@ -83,7 +90,17 @@ pub fn copy_fixture(name: &str, root: &Path) {
     copy(&fixtures().join("levels").join(name), &root.join("levels").join(name));
 }
 
-/// A flight of a fixture by its name.
 pub fn record(level: &str, flight: &str) -> Replay {
     flights_from(&fixtures(), level).remove(flight).unwrap_or_else(|| panic!("level {level} has no flight {flight}"))
+}
+
+/// The game that these keys lead to, a tick each, and how it got there.
+pub fn flown(level: Arc<Level>, keys: impl IntoIterator<Item = Controls>) -> (Game, History) {
+    let mut game = Game::new(level).unwrap();
+    let mut history = History::new(&game);
+    for controls in keys {
+        game.step(controls);
+        history.note(&game, controls);
+    }
+    (game, history)
 }

@@ -36,16 +36,11 @@ pub fn object(id: u32, class: &str, place: [f64; 4], properties: &[(&str, &str)]
 }
 
 pub fn things() -> Vec<String> {
+    let cells = [("mass", "50"), ("drag", "1.05"), ("circular", "false"), ("restitution", "0.2")];
     vec![
         object(1, "player", [96.0, 600.0, 0.0, 0.0], &[("mass", "100"), ("fuel", "500"), ("thrust", "2500")]),
         object(2, "objectives", [1000.0, 502.0, 120.0, 10.0], &[("hold", "1")]),
-        object(
-            3,
-            "objects",
-            [300.0, 660.0, 40.0, 44.0],
-            &[("mass", "50"), ("drag", "1.05"), ("circular", "false"), ("restitution", "0.2")],
-        )
-        .replace("\"name\":\"\"", "\"name\":\"crate\""),
+        object(3, "objects", [300.0, 660.0, 40.0, 44.0], &cells).replace("\"name\":\"\"", "\"name\":\"crate\""),
         object(4, "movers", [500.0, 600.0, 90.0, 20.0], &[("way_points", "500 300"), ("speed", "2")]),
     ]
 }

@@ -38,7 +38,6 @@ pub fn kept(text: &'static str) -> Vec<Kept> {
     text.split("=== ").skip(1).map(level).collect()
 }
 
-/// Such a level.
 pub fn written(files: &[(&'static str, &str)]) -> Level {
     match level::read("room", &texts(files)) {
         Ok(loaded) => loaded.level,
@@ -46,14 +45,11 @@ pub fn written(files: &[(&'static str, &str)]) -> Level {
     }
 }
 
-/// An attempt at such a level.
 pub fn begun(files: &[(&'static str, &str)]) -> Game {
     Game::new(Arc::new(written(files))).expect("the level can be played")
 }
 
 /// Lets `seconds` pass with no key pressed.
 pub fn wait(game: &mut Game, seconds: f64) {
-    for _ in 0..(seconds * game.tick_rate()).round() as u32 {
-        game.step(Controls::default());
-    }
+    (0..(seconds * game.tick_rate()).round() as u32).for_each(|_| game.step(Controls::default()));
 }

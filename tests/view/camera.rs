@@ -1,6 +1,7 @@
 //! The camera: it follows the ship, shows nothing outside of the level, and never loses the ship, in windows and levels of any size.
 
 use crate::onlook::{self, pixels};
+use crate::support::area;
 use crate::support::rooms::{crate_at, yard};
 use crate::support::shipped::{experiment, experiments};
 use resultant::draw::layout::{Area, Frame, Vec2, nearest_size, words_width};
@@ -201,10 +202,10 @@ fn a_fitted_view_holds_what_moves_and_is_no_closer_than_usual() {
     let level = DVec2::new(120.0, 90.0);
     for window in WINDOWS {
         let usual = view(level * 0.5, level * 0.5, level, window).scale;
-        for (min, max) in
-            [((1.0, 1.0), (2.0, 2.0)), ((5.0, 5.0), (70.0, 20.0)), ((80.0, 1.0), (119.0, 89.0)), ((0.0, 0.0), (120.0, 90.0))]
+        for [left, top, right, bottom] in
+            [[1.0, 1.0, 2.0, 2.0], [5.0, 5.0, 70.0, 20.0], [80.0, 1.0, 119.0, 89.0], [0.0, 0.0, 120.0, 90.0]]
         {
-            let bounds = Aabb::new(DVec2::from(min), DVec2::from(max));
+            let bounds = area(left, top, right, bottom);
             let fitted = turned(Some(bounds), 1.0, 1).viewport(DVec2::splat(60.0), level, METRE, window);
             assert!(fitted.visible().contains(&bounds, window.pixel / fitted.scale), "{bounds:?} in {:?}", fitted.visible());
             assert!(fitted.scale <= usual && fitted.visible().size().min_element() > 0.0);

@@ -2,7 +2,7 @@
 //! goal and no text; along every recorded flight it steps aside. Arrows point to every goal and key outside the view.
 
 use super::onlook::{WINDOWS, centres, kept_free, on_canvas, pixels, window};
-use crate::support::shipped::{experiment, flights, levels, load};
+use crate::support::shipped::{experiment, levels, load, recorded};
 use resultant::draw::layout::{Area, Frame, LINE, Vec2, nearest_size, words_width};
 use resultant::game::{Controls, Game, Outcome, SHIP};
 use resultant::level::{Level, ObjectiveKind};
@@ -26,10 +26,8 @@ fn shown(level: &Level, view: &Viewport, frame: &Frame) -> Vec<(String, Area)> {
     let named = |name| move |bounds: &Aabb| (format!("{name} at {}", bounds.min * level.metre), on_canvas(bounds, view));
     let texts = level.texts.iter().map(|text| {
         let height = frame.text_height(nearest_size(view.length(text.size)));
-        (
-            text.text.clone(),
-            Area { min: view.point(text.position), size: Vec2::new(words_width(&text.text, height), LINE * height) },
-        )
+        let size = Vec2::new(words_width(&text.text, height), LINE * height);
+        (text.text.clone(), Area { min: view.point(text.position), size })
     });
     let objectives = level.objectives.iter().map(|objective| named("the goal")(&objective.bounds));
     let obstacles = level.obstacles.iter().map(named("the death box"));
@@ -68,7 +66,6 @@ fn key_box(game: &Game, index: usize) -> Aabb {
     game.world().body(BodyId(index as u32 + 1)).bounds()
 }
 
-/// Counts of all looks.
 #[derive(Debug, Default)]
 struct Seen {
     looks: usize,
@@ -128,9 +125,8 @@ fn check(onlooker: &Onlooker, game: &Game, view: &Viewport, seen: &mut Seen, wha
             if !physics().any(|i| level.objectives[i].fits(colour) && !game.met()[i]) {
                 continue;
             }
-            let done =
-                |i: usize| game.met()[i] && level.objectives[i].fits(colour) && key.touches(&level.objectives[i].bounds, 0.0);
-            if !physics().any(done) {
+            let met = |i: usize| game.met()[i] && level.objectives[i].fits(colour) && key.touches(&level.objectives[i].bounds, 0.0);
+            if !physics().any(met) {
                 ask(PointerTarget::Key(index), key);
             }
         }
@@ -159,11 +155,8 @@ fn fly(level: &Arc<Level>, inputs: impl Iterator<Item = Controls>, seen: &mut Se
 #[test]
 fn along_every_recorded_flight_the_display_steps_aside_and_points_to_what_is_outside() {
     let mut seen = Seen::default();
-    for name in levels() {
-        let level = load(&name);
-        for (flight, replay) in flights(&name) {
-            fly(&level, replay.inputs.into_iter(), &mut seen, &format!("level {name}, {flight}"));
-        }
+    for (level, what, replay) in recorded() {
+        fly(&level, replay.inputs.into_iter(), &mut seen, &what);
     }
     assert!(seen.looks > 10_000 && seen.arrows > seen.looks / 2 && seen.missing < seen.arrows / 20, "{seen:?}");
     assert!(seen.aside > 0 && seen.aside < seen.looks / 2, "{seen:?}: it is away more than it is there");

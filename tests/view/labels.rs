@@ -13,7 +13,6 @@ const WINDOWS: [Vec2; 3] = [Vec2::new(900.0, 500.0), Vec2::new(1280.0, 720.0), V
 const ABOVE: f32 = 0.72;
 const BELOW: f32 = 0.18;
 
-/// All words of a picture, with their boxes.
 fn words(canvas: &Canvas) -> Vec<(String, Area)> {
     let shapes = canvas.shapes();
     let boxed = |shape: &Shape| {
@@ -54,8 +53,7 @@ fn no_label_lies_on_another_or_on_what_it_is_not_of() {
                 if display.iter().any(|part| part.gap(area) < 0.0) {
                     continue; // It fades where something lies behind it.
                 }
-                let own =
-                    |thing: &Area, index| index < level.objectives.len() && thing.contains(area.min) && thing.contains(area.max());
+                let own = |thing: &Area, i| i < level.objectives.len() && thing.contains(area.min) && thing.contains(area.max());
                 let on = things.iter().enumerate().filter(|(index, thing)| thing.gap(area) < -0.5 && !own(thing, *index));
                 problems.extend(on.map(|(index, thing)| format!("{at}: {text:?} on the thing {index} at {:?}", thing.min)));
             }

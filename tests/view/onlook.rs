@@ -24,7 +24,6 @@ pub fn on_canvas(bounds: &Aabb, view: &Viewport) -> Area {
     Area { min, size: view.point(bounds.max) - min }
 }
 
-/// Where the bodies are, m.
 pub fn centres(game: &Game) -> Vec<DVec2> {
     game.world().bodies().iter().map(|body| body.position).collect()
 }

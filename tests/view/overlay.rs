@@ -108,7 +108,6 @@ fn an_impact_is_told_for_half_a_second() {
         assert_eq!(lines(&game, 1), Vec::<String>::new());
         game.step(Controls::default());
     }
-    // It has fallen by 1.5 m.
     let told = ["Impulse by floor (     0,   67.1) N·s"];
     for _ in 0..=60 {
         assert_eq!(lines(&game, 1), told);
@@ -137,7 +136,6 @@ fn line(details: &Details, body: u32, label: &str) -> Vec2 {
     placed.line(index.unwrap_or_else(|| panic!("{label}: {:?}", placed.text))).centre()
 }
 
-/// The labels of the lines that are lit, with their vectors.
 fn lit(details: &Details, game: &Game) -> Vec<(u32, String, DVec2)> {
     let told = |(body, row): &(BodyId, usize)| {
         let row = facts(game, *body).rows.swap_remove(*row);
@@ -170,13 +168,11 @@ fn pointing_at_a_force_lights_its_partner() {
     let words = |details: &Details| details.tip.as_ref().expect("a tip").lines.join(" ");
     assert_eq!(words(&details), "Third law: Box 2 presses on Box 1 with (0, −150) N");
     assert!(details.tip.as_ref().is_some_and(|tip| tip.area.is_some()));
-    // By its arrow as by its line.
     let arrow = details.arranged.arrows.iter().find(|arrow| arrow.body == BodyId(1) && arrow.name() == "Weight").expect("an arrow");
     let at = arrow.to;
     arrange(&mut details, &game, &all, Some(at));
     assert_eq!(lit(&details, &game), [(1, "Weight by planet".to_owned(), DVec2::new(0.0, 150.0))]);
     assert_eq!(words(&details), "Third law: Box 1 pulls planet with (0, 150) N");
-    // A sum has no partner.
     let at = line(&details, 2, "Resultant");
     arrange(&mut details, &game, &all, Some(at));
     assert!(details.lit.is_empty() && details.tip.is_none());
@@ -229,7 +225,6 @@ fn an_idle_ship_has_no_box_and_no_arrows() {
     assert_eq!(details.boxes[0].text.body, SHIP);
 }
 
-/// Several sources are counted.
 #[test]
 fn who_exerts_a_force_is_named() {
     let mut level = on_the_floor();
@@ -262,7 +257,6 @@ fn every_force_has_an_arrow_and_what_is_not_to_scale_is_marked() {
         assert!((15.0..720.0).contains(&arrow.length()), "{arrow:?}");
     }
     assert!(details.legend.lines.iter().any(|line| line.contains("not to scale")));
-    // Followed alone, each has a scale that suits it.
     for body in [1, 2] {
         let mut focus = Focus::default();
         focus.pick(Some(BodyId(body)), false);

@@ -2,7 +2,7 @@
 //! neither the ship nor a hazard nor a goal, nothing of them covers another, and no force is without an arrow inside the window.
 
 use super::onlook::{WINDOWS, centres, kept_free, pixels, window};
-use crate::support::shipped::{experiment, experiments, flights, levels, load};
+use crate::support::shipped::{experiment, experiments, recorded};
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::game::{Controls, Game, TICK_RATE};
 use resultant::level::Level;
@@ -27,7 +27,6 @@ const LEAST: f32 = 12.0;
 /// The sizes of the forces in experiments that are pushed or carried, N.
 const USUAL: std::ops::RangeInclusive<f64> = 20.0..=75.0;
 
-/// Counts of all looks.
 #[derive(Debug, Default)]
 struct Seen {
     looks: usize,
@@ -40,7 +39,6 @@ struct Seen {
     usual: usize,
 }
 
-/// A game in a window.
 struct Onlooker {
     frame: Frame,
     details: Details,
@@ -207,11 +205,8 @@ fn check(seen: &Seen) {
 #[test]
 fn along_every_recorded_flight_nothing_is_covered() {
     let mut seen = Seen::default();
-    for name in levels() {
-        let level = load(&name);
-        for (flight, replay) in flights(&name) {
-            watch(&level, &Focus::default(), replay.inputs.into_iter(), &format!("level {name}, {flight}"), &mut seen);
-        }
+    for (level, what, replay) in recorded() {
+        watch(&level, &Focus::default(), replay.inputs.into_iter(), &what, &mut seen);
     }
     check(&seen);
 }
@@ -221,7 +216,6 @@ fn through_every_experiment_nothing_is_covered() {
     let mut seen = Seen::default();
     for name in experiments() {
         let level = experiment(&name);
-        // As it opens, and with all in view told of.
         for focus in [Focus::fitted_on(BodyId(1)), Focus::fitted_on(BodyId(1)).on_nobody()] {
             let nobody = (0..(WATCHED * TICK_RATE) as usize).map(|_| Controls::default());
             watch(&level, &focus, nobody, &name, &mut seen);

@@ -58,7 +58,6 @@ fn prefix(unit: &str) -> f64 {
     power_of(["m/s²", "m/s", "N·s", "N"].into_iter().find_map(|plain| unit.strip_suffix(plain)).expect("a unit"))
 }
 
-/// A box as it was read in one frame.
 #[derive(Clone, Copy, Debug)]
 struct Told {
     mass: Read,
@@ -173,10 +172,8 @@ impl Reader {
 /// Plays a lesson and reads the boxes of some of its bodies on every frame.
 fn play(name: &str, level: Arc<Level>, inputs: impl Iterator<Item = Controls>) -> Seen {
     let mut game = Game::new(level).unwrap();
-    // A ship that plays no part has no box.
     let first = u32::from(!game.level().ship_plays());
-    let mut readers: Vec<Reader> =
-        (first..game.world().bodies().len().min(4) as u32).map(|body| Reader::new(BodyId(body))).collect();
+    let mut readers: Vec<_> = (first..game.world().bodies().len().min(4) as u32).map(|body| Reader::new(BodyId(body))).collect();
     let mut seen = Seen::default();
     readers.iter_mut().for_each(|reader| reader.read(&game, &mut seen, name));
     for controls in inputs {

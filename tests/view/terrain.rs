@@ -188,7 +188,6 @@ fn a_pad_let_into_a_floor_cuts_the_edge_without_a_corner() {
             (5.0, 8.0, ROCK, [Corner::Straight, Corner::Outer]),
         ]
     );
-    // Sides are measured whole or not at all.
     let measured: Vec<f64> = dimensions(&mass, ROCK, &[]).iter().map(Dimension::length).collect();
     assert!(!measured.is_empty() && !measured.contains(&3.0), "{measured:?}");
 }
@@ -212,7 +211,6 @@ fn a_wall_shades_what_is_behind_it_and_glass_would_not() {
     };
     assert_eq!(lit(&[floor, wall]), 0);
     assert!(lit(&[floor]) > 0);
-    // The floor under the lamp has all of its light.
     let under = cast(&mass.edges, &lamp, 6.0, &[floor, wall]);
     assert!(under.iter().any(|lit| lit.inward == DVec2::Y && lit.strength == [1.0, 1.0]));
 }

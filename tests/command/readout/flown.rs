@@ -9,7 +9,6 @@ use std::path::Path;
 const INPUTS: &str = "ticks,thrust,reverse,left,right\n";
 pub const FAR: (&str, &str) = ("objectives.csv", "PLAYER,10,10,20,20\n");
 
-/// A row of the telemetry.
 pub struct Row {
     pub position: DVec2,
     pub velocity: DVec2,
@@ -26,7 +25,6 @@ impl Row {
     }
 }
 
-/// A row of the file of forces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Acting {
     pub kind: String,
@@ -46,7 +44,6 @@ pub struct Flown {
 }
 
 impl Flown {
-    /// An object as it began.
     pub fn body(&self, object: usize) -> &BodyDef {
         &self.bodies[object]
     }
@@ -72,7 +69,6 @@ fn is_impulse(acting: &Acting) -> bool {
     matches!(&*acting.kind, "impact" | "ended_contact")
 }
 
-/// Flies a level of a data folder and reads the files.
 fn fly(root: &Path, name: &str, args: &[&str]) -> Flown {
     let level = level::load(&root.join("levels").join(name), root).expect("the level loads").level;
     let out = tempfile::tempdir().unwrap();

@@ -55,7 +55,6 @@ fn files(folder: &Path) -> Files {
     found
 }
 
-/// Puts the data folder back to these files.
 fn restore(data: &Data, old: &Files) {
     fs::remove_dir_all(data.path(".")).ok();
     for (name, bytes) in old {
@@ -121,11 +120,8 @@ fn what_a_run_writes_is_whole_or_untouched() {
     let data = data();
     data.write("old.csv", &"old,old\n".repeat(3000));
     data.write("record.csv", "old");
-    every_call(
-        &data,
-        &["run", "flight", "--seconds", "0.5", "--telemetry", "old.csv", "--forces", "new.csv", "--record", "record.csv"],
-        &["old.csv", "new.csv", "record.csv"],
-    );
+    let run = ["run", "flight", "--seconds", "0.5", "--telemetry", "old.csv", "--forces", "new.csv", "--record", "record.csv"];
+    every_call(&data, &run, &["old.csv", "new.csv", "record.csv"]);
     assert!(read(&data, "levels/flight/objects.csv").starts_with("900,100,"));
 }
 

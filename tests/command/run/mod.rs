@@ -12,7 +12,6 @@ use crate::support::program::Data;
 
 const HEADER: &str = "ticks,thrust,reverse,left,right";
 const PLAYER: &str = "1500,1500,100,500,3000\n";
-/// Far from the ship.
 const OBJECTIVES: &str = "PLAYER,10,10,20,20\nOBJECT,600,100,box:60x30,75,181,49,201,0.5,0.1\n";
 /// The telemetry's first row as documented, up to the forces.
 const COLUMNS: &str = "tick,time,object,kind,x,y,vx,vy,ax,ay,angle,fuel,resultant_x,resultant_y,weight_x,weight_y,drive_x,drive_y,";
@@ -20,20 +19,14 @@ const COLUMNS: &str = "tick,time,object,kind,x,y,vx,vy,ax,ay,angle,fuel,resultan
 /// A data folder with the levels `flight` (free), `goal` (the ship starts beside its objective) and `death`.
 fn data() -> Data {
     let data = Data::new();
-    data.level(
-        "flight",
-        "air_density,0\n",
-        &[("player.csv", PLAYER), ("objectives.csv", OBJECTIVES), ("objects.csv", "900,100,box:30x30,5,1,FALSE,0\n")],
-    );
+    let away = ("objects.csv", "900,100,box:30x30,5,1,FALSE,0\n");
+    data.level("flight", "air_density,0\n", &[("player.csv", PLAYER), ("objectives.csv", OBJECTIVES), away]);
     // The ship's left edge is at 1474.5 px; 30 px/s carry it to 1474 px within 1/60 s.
     let drifting = "x,y,mass,fuel,thrust,vx\n1500,1500,100,500,3000,-1\n";
     let still = "gravity,0\nair_density,0\noptimal_time,10\n";
     data.level("goal", still, &[("player.csv", drifting), ("objectives.csv", "PLAYER,1400,1450,74,100\n")]);
-    data.level(
-        "death",
-        still,
-        &[("player.csv", drifting), ("objectives.csv", "PLAYER,10,10,20,20\n"), ("obstacles.csv", "1400,1450,74,100\n")],
-    );
+    let red = [("objectives.csv", "PLAYER,10,10,20,20\n"), ("obstacles.csv", "1400,1450,74,100\n")];
+    data.level("death", still, &[("player.csv", drifting), red[0], red[1]]);
     data
 }
 
@@ -143,7 +136,6 @@ fn what_is_refused_runs_nothing_and_writes_nothing() {
     assert_eq!(left.len(), 3, "levels, in.csv, bad.csv: {left:?}");
 }
 
-/// The rows of the telemetry, by column.
 fn rows(text: &str) -> Vec<Vec<(&str, &str)>> {
     let mut lines = text.lines();
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();
@@ -178,15 +170,12 @@ fn telemetry_tells_every_object_at_every_tick() {
         assert_eq!(number(row, "time"), tick / 64.0);
         assert_eq!(row[3], ("kind", ["ship", "object", "key"][object]));
     }
-    // At the start: centres in metres.
     assert_eq!((number(&rows[0], "x"), number(&rows[0], "y")), (50.0, 50.0));
     assert_eq!((number(&rows[1], "x"), number(&rows[2], "x")), (30.0, 20.0));
-    // The ship turns and burns in the second and third tick.
     let ship = |tick: usize, column| number(&rows[3 * tick], column);
     assert_eq!([0, 1, 2, 3, 4].map(|tick| ship(tick, "angle")), [0.0, 0.0, 180.0 / 64.0, 360.0 / 64.0, 360.0 / 64.0]);
     assert_eq!([1, 2, 3, 4].map(|tick| ship(tick, "fuel")), [500.0, 499.6875, 499.375, 499.375]);
     assert!((ship(2, "ay") - (15.0 + 30.0 * f64::to_radians(180.0 / 64.0).cos())).abs() < 1e-12);
-    // Free fall.
     assert_eq!([0, 32].map(|tick| number(&rows[3 * tick + 1], "vy")), [0.0, 7.5]);
     assert!((number(&rows[97], "y") - number(&rows[1], "y") - 0.5 * 15.0 * 0.25).abs() < 1e-12);
 }

@@ -36,11 +36,8 @@ fn a_run_is_handed_on_as_a_code() {
     let code = code.out.trim();
     let verified = data.resultant(&["verify", code]);
     assert_eq!(verified.status, 0, "{}", verified.err);
-    assert!(
-        verified.out.contains("…: ok, score 20983, hash ") && verified.out.contains("; level goal, 2 ticks"),
-        "{}",
-        verified.out
-    );
+    let said = ["…: ok, score 20983, hash ", "; level goal, 2 ticks"];
+    assert!(said.iter().all(|said| verified.out.contains(said)), "{}", verified.out);
     let refused = data.resultant(&["verify", &code[..code.len() - 4]]);
     assert!(refused.status == 2 && refused.out.is_empty() && refused.err.contains("cut or altered"), "{refused:?}");
 }
@@ -82,7 +79,6 @@ fn a_record_tells_what_recorded_it_and_in_which_level() {
     data.write("levels/goal/texts.csv", "10,10,20,Fly!\n");
     assert_eq!(data.resultant(&["verify", path]).status, 0);
     data.write("levels/goal/constants.csv", &constants);
-    // Another level of that name: nothing in it is near the ship, so that the flight itself is the same.
     for (file, text) in
         [("world.csv", "10,2000,100,10\n"), ("obstacles.csv", "10,2000,100,10\n"), ("fluids.csv", "10,2000,9,9,1,1\n")]
     {
@@ -100,7 +96,6 @@ fn a_record_tells_what_recorded_it_and_in_which_level() {
     assert_eq!(data.resultant(&["verify", path]).status, 0);
     data.write("run.csv", &older.replace("score: 20983", "score: 1"));
     assert!(data.resultant(&["verify", path]).err.contains("; recorded by resultant 0.0.1, this is resultant "));
-    // A record with its player's name.
     data.write("run.csv", &good.replace("# level: goal", "# player: ann\n# level: goal"));
     let ran = data.resultant(&["verify", path]);
     assert!(ran.out.contains("; level goal, 2 ticks; saved by ann"), "it says what was flown: {ran:?}");
@@ -133,7 +128,6 @@ fn a_mismatch_is_one_whoever_listens() {
 fn a_long_record_tells_how_far_it_has_come() {
     let (data, path) = recorded();
     let path = path.as_str();
-    // Three months, of which the first seconds are watched.
     data.resultant(&["run", "flight", "--seconds", "0.1", "--record", path]);
     let text = read(&data, "run.csv").replace("12,0,0,0,0", "1000000000,0,0,0,0").replace("# time: 0.1", "# time: 10000000");
     data.write("run.csv", &text);

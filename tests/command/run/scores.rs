@@ -36,7 +36,6 @@ fn boards_are_proven_and_what_does_not_hold_is_named() {
     fs::write(data.path("scores/1.csv"), format!("{board}old,5\n")).unwrap();
     let held = data.resultant(&["verify", "--scores"]);
     assert_eq!((held.status, held.out), (0, format!("1: 2 proven, 1 unproven\n2: 1 proven\n{claims}")));
-    // One that is forged.
     let points = flight("1", "gold").score;
     fs::write(data.path("scores/1.csv"), board.replace(&format!("ann,{points}"), "ann,29999")).unwrap();
     let forged = data.resultant(&["verify", "--scores"]);

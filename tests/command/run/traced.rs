@@ -5,7 +5,6 @@
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::process::{Command, ExitStatus};
 
-/// The fault at a system call.
 #[derive(Clone, Copy, Debug)]
 pub enum Fault {
     /// The system does not do it and answers with this error.
@@ -25,7 +24,6 @@ pub fn run(command: &mut Command, fault: Option<(usize, Fault)>) -> (Vec<i64>, E
     unsafe { command.pre_exec(trace_me) };
     let child = command.spawn().unwrap_or_else(|error| panic!("it cannot be traced: {error}"));
     let process = child.id() as libc::pid_t;
-    // The first stop is that of the new program.
     wait(process);
     let options = libc::PTRACE_O_TRACESYSGOOD | libc::PTRACE_O_EXITKILL;
     assert_eq!(ptrace(libc::PTRACE_SETOPTIONS, process, 0, options as usize), 0);

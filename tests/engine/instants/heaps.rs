@@ -59,11 +59,8 @@ fn a_heap_gains_no_energy_along_any_pull() {
                 world.step(1.0 / 120.0);
                 let now = energy(&world, down);
                 let rose = now - before;
-                assert!(
-                    rose <= 1e-9 * (begun - now).max(1.0),
-                    "along {down}, seed {seed}, tick {tick}: {rose} J of {} J",
-                    begun - now
-                );
+                let lost = begun - now;
+                assert!(rose <= 1e-9 * lost.max(1.0), "along {down}, seed {seed}, tick {tick}: {rose} J of {lost} J");
                 before = now;
             }
         }

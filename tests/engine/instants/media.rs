@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::support::motion::{Bath, force_on, rk4};
-use resultant::physics::{FluidDef, Material};
+use resultant::physics::FluidDef;
 
 const PULL: f64 = 15.0;
 const AIR: f64 = 1.2;
@@ -40,9 +40,8 @@ fn off(surfaces: &[SurfaceDef], bodies: &[BodyDef], fluids: &[FluidDef], (second
 
 #[test]
 fn bodies_that_fall_through_air_in_contact_fall_as_one() {
-    for (masses, drags) in
-        [([5.0, 1.0], [1.0, 1.0]), ([100.0, 0.4], [1.0, 1.0]), ([0.4, 100.0], [1.0, 0.2]), ([3.0, 2.0], [0.3, 2.0])]
-    {
+    let cases = [([5.0, 1.0], [1.0, 1.0]), ([100.0, 0.4], [1.0, 1.0]), ([0.4, 100.0], [1.0, 0.2]), ([3.0, 2.0], [0.3, 2.0])];
+    for (masses, drags) in cases {
         let half = DVec2::splat(0.5);
         // The upper one presses on the lower one while that falls more slowly by itself.
         let mut bodies = [box_at(0.0, -0.5, half, masses[0], drags[0]), box_at(0.0, 0.5, half, masses[1], drags[1])];
@@ -77,11 +76,13 @@ fn bodies_that_float_in_contact_bob_as_one_and_rest() {
 
 #[test]
 fn bodies_that_slide_through_air_in_contact_slide_as_one() {
-    let rough = Material { static_friction: 0.9, kinetic_friction: 0.3, ..Material::STEEL };
+    let rough = rough(0.9, 0.3);
     let floor = [SurfaceDef::fixed(area(-300.0, 0.0, 300.0, 1.0), rough)];
-    let half = DVec2::splat(0.5);
-    let slides =
-        |x: f64, y: f64, mass: f64, drag: f64| BodyDef { velocity: v(7.0, 0.0), material: rough, ..box_at(x, y, half, mass, drag) };
+    let slides = |x: f64, y: f64, mass: f64, drag: f64| BodyDef {
+        velocity: v(7.0, 0.0),
+        material: rough,
+        ..box_at(x, y, DVec2::splat(0.5), mass, drag)
+    };
     let row = [slides(0.0, -0.5, 8.0, 0.5), slides(1.0, -0.5, 1.0, 1.5)];
     let stack = [slides(0.0, -0.5, 8.0, 0.5), slides(0.2, -1.5, 3.0, 1.5)];
     for bodies in [row, stack] {

@@ -7,20 +7,25 @@ mod media;
 mod movers;
 mod trains;
 
-use crate::support::{Ask, Random, area};
+use crate::support::{Ask, Random, area, elastic, v};
 use proptest::prelude::*;
 use resultant::physics::{BodyDef, DVec2, FieldDef, Leg, Material, Path, SurfaceDef, World, WorldDef};
 
-fn v(x: f64, y: f64) -> DVec2 {
-    DVec2::new(x, y)
+/// Ticks a second.
+const RATES: [f64; 5] = [30.0, 60.0, 120.0, 240.0, 480.0];
+
+fn rates() -> impl Strategy<Value = f64> {
+    prop::sample::select(RATES.to_vec())
 }
 
-/// Cases of a property, each a seed of [`Random`].
+fn rough(held: f64, slid: f64) -> Material {
+    Material { static_friction: held, kinetic_friction: slid, ..Material::STEEL }
+}
+
 fn cases(count: u32) -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(count) }
 }
 
-/// Without gravity and air.
 fn in_space(surfaces: Vec<SurfaceDef>, bodies: Vec<BodyDef>) -> WorldDef {
     WorldDef { gravity: 0.0, air_density: 0.0, surfaces, bodies, ..WorldDef::default() }
 }

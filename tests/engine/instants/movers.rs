@@ -14,13 +14,9 @@ fn accelerating(surface: &SurfaceDef, acceleration: DVec2) -> SurfaceDef {
     SurfaceDef { path: Path { legs: vec![leg], repeats: false }, ..surface.clone() }
 }
 
-fn material(random: &mut Random) -> Material {
-    random.pick(&Material::FIRM)
-}
-
 /// A floor 40 m wide, its top at y = 0, and piles of up to four crates on it, which drift at up to `fastest`, m/s.
 fn piles(random: &mut Random, fastest: f64) -> (SurfaceDef, Vec<BodyDef>) {
-    let floor = SurfaceDef::fixed(area(-20.0, 0.0, 20.0, 1.0), material(random));
+    let floor = SurfaceDef::fixed(area(-20.0, 0.0, 20.0, 1.0), random.pick(&Material::FIRM));
     let mut bodies = Vec::new();
     for pile in 0..4 {
         let (mut top, drift) = (0.0, random.between(-fastest, fastest));
@@ -28,7 +24,7 @@ fn piles(random: &mut Random, fastest: f64) -> (SurfaceDef, Vec<BodyDef>) {
             let half = v(random.between(0.3, 0.6), random.between(0.2, 0.5));
             let position = v(-9.0 + 6.0 * f64::from(pile) + random.between(-0.1, 0.1), top - half.y);
             top -= 2.0 * half.y;
-            let (mass, material) = (random.decades(-1.0, 2.0), material(random));
+            let (mass, material) = (random.decades(-1.0, 2.0), random.pick(&Material::FIRM));
             bodies.push(BodyDef { position, half, mass, material, velocity: v(drift, 0.0), ..BodyDef::default() });
         }
     }

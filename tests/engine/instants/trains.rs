@@ -2,16 +2,10 @@
 //! friction stops a slide over tiles nothing is left of it.
 
 use super::*;
-use resultant::physics::{Body, BodyId, Guards, Obstacle};
+use resultant::physics::{Body, BodyId, Obstacle};
 
 const PULL: f64 = 15.0;
-const RATES: [f64; 5] = [30.0, 60.0, 120.0, 240.0, 480.0];
 
-fn rough(friction: f64) -> Material {
-    Material { static_friction: friction, kinetic_friction: friction, ..Material::STEEL }
-}
-
-/// A throw over a floor whose top is 0: a body of a metre.
 #[derive(Clone, Copy, Debug)]
 struct Throw {
     height: f64,
@@ -33,7 +27,7 @@ impl Throw {
     }
 
     fn world(&self) -> World {
-        let floor = SurfaceDef::fixed(area(-300.0, 0.0, 300.0, 1.0), rough(self.friction));
+        let floor = SurfaceDef::fixed(area(-300.0, 0.0, 300.0, 1.0), rough(self.friction, self.friction));
         let Self { height, speed, mass, e, .. } = *self;
         let body = BodyDef { position: v(0.0, -0.5 - height), velocity: speed, mass, restitution: e, ..BodyDef::default() };
         World::new(WorldDef { gravity: PULL, ..without_air(vec![floor], vec![body]) }).unwrap()
@@ -79,6 +73,19 @@ fn in_contact(world: &World, id: BodyId) -> bool {
     world.forces(id).forces().len() > 1
 }
 
+fn given_up(world: &World) -> (u64, u64) {
+    (world.guards().bounces_ended, world.guards().budgets_used_up)
+}
+
+/// A light body at rest and one `ratio` times as heavy that comes to it from a side: the light one's mass, kg, where both are less their
+/// widths, m, and the speed, m/s.
+fn nearing(random: &mut Random, ratio: f64, side: f64, y: f64) -> ([f64; 4], Vec<BodyDef>) {
+    let (mass, near) = (random.decades(-2.0, 0.0), random.between(0.0, 2.0));
+    let (far, comes) = (near + random.between(0.2, 2.0), random.between(0.3, 3.0));
+    let at = |x: f64, mass: f64, speed: f64| elastic(v(side * x, y), mass, side * speed);
+    ([mass, near, far, comes], vec![at(near + 0.5, mass, 0.0), at(far + 1.5, mass * ratio, -comes)])
+}
+
 /// Three crates on each other and on the floor: what changes the momentum of one that touches nothing as a tick ends is listed. Returns the first that is not, if one is.
 fn unlisted_of_three(random: &mut Random, hz: f64) -> Option<(u32, f64)> {
     let body = |k: i32| BodyDef {
@@ -88,7 +95,7 @@ fn unlisted_of_three(random: &mut Random, hz: f64) -> Option<(u32, f64)> {
         velocity: v(0.0, random.between(-2.0, 2.0)),
         ..BodyDef::default()
     };
-    let floor = SurfaceDef::fixed(area(-300.0, 0.0, 300.0, 1.0), rough(0.4));
+    let floor = SurfaceDef::fixed(area(-300.0, 0.0, 300.0, 1.0), rough(0.4, 0.4));
     let bodies: Vec<_> = (0..3).map(body).collect();
     let mut world = World::new(WorldDef { gravity: PULL, ..without_air(vec![floor], bodies) }).unwrap();
     for tick in 1..=(2.0 * hz) as u32 {
@@ -112,12 +119,12 @@ proptest! {
     #![proptest_config(cases(60))]
 
     #[test]
-    fn lists_of_any_three_that_bounce_add_up(seed in any::<u64>(), hz in prop::sample::select(RATES.to_vec())) {
+    fn lists_of_any_three_that_bounce_add_up(seed in any::<u64>(), hz in rates()) {
         prop_assert_eq!(unlisted_of_three(&mut Random(seed), hz), None);
     }
 
     #[test]
-    fn a_thrown_crate_stops_where_its_bounces_say(seed in any::<u64>(), hz in prop::sample::select(RATES.to_vec())) {
+    fn a_thrown_crate_stops_where_its_bounces_say(seed in any::<u64>(), hz in rates()) {
         let throw = Throw::random(&mut Random(seed));
         let mut world = throw.world();
         let id = BodyId(0);
@@ -141,17 +148,11 @@ proptest! {
 
     /// A crate in space that is driven against another one, and bounces on it: after each bounce the gap and the speeds are those of one bounce after the other.
     #[test]
-    fn a_pair_that_a_drive_presses_together_bounces_like_one_on_the_ground(
-        seed in any::<u64>(),
-        e in prop::sample::select(vec![0.5, 0.9, 1.0]),
-        hz in prop::sample::select(RATES.to_vec()),
-    ) {
+    fn a_pair_that_a_drive_presses_together_bounces_like_one_on_the_ground(seed in any::<u64>(), e in prop::sample::select(vec![0.5, 0.9, 1.0]), hz in rates()) {
         let random = &mut Random(seed);
         let masses = [random.decades(-1.0, 1.0), random.decades(-1.0, 1.0)];
         let (drive, gap, apart) = (random.between(5.0, 30.0), random.between(0.0, 0.02), random.between(0.0, 0.05));
-        let at = |x: f64, k: usize, speed: f64| BodyDef {
-            position: v(x, 0.0), velocity: v(speed, 0.0), mass: masses[k], restitution: e, ..BodyDef::default()
-        };
+        let at = |x: f64, k: usize, speed: f64| BodyDef { restitution: e, ..elastic(v(x, 0.0), masses[k], speed) };
         let mut world = World::new(in_space(vec![], vec![at(0.0, 0, 0.0), at(1.0 + gap, 1, apart)])).unwrap();
         world.drive(0, drive, 0.0);
         let pull = drive / masses[0];
@@ -174,27 +175,19 @@ proptest! {
             let (momentum, whole) = (masses[0] * world.speed(0).x + masses[1] * world.speed(1).x, drive * time + masses[1] * apart);
             prop_assert!((momentum - whole).abs() <= 1e-9, "tick {}: {} N·s, not {} N·s", tick, momentum, whole);
         }
-        prop_assert_eq!((world.guards().bounces_ended, world.guards().budgets_used_up), (0, 0));
+        prop_assert_eq!(given_up(&world), (0, 0));
     }
 
     /// One goes to and fro between a wall and a heavy one that comes: up to 31 415 hits.
     #[test]
-    fn what_is_between_a_wall_and_something_heavy_bounces_without_loss(
-        seed in any::<u64>(),
-        power in 0.0..8.0f64,
-        hz in prop::sample::select(RATES.to_vec()),
-    ) {
+    fn what_is_between_a_wall_and_something_heavy_bounces_without_loss(seed in any::<u64>(), power in 0.0..8.0f64, hz in rates()) {
         let random = &mut Random(seed);
-        let (mass, ratio, side) = (random.decades(-2.0, 0.0), 10f64.powf(power), random.pick(&[-1.0, 1.0]));
-        let (near, gap, comes) = (random.between(0.0, 2.0), random.between(0.2, 2.0), random.between(0.3, 3.0));
-        let at = |x: f64, mass: f64, speed: f64| BodyDef {
-            position: v(side * x, 0.0), velocity: v(side * speed, 0.0), mass, restitution: 1.0, ..BodyDef::default()
-        };
+        let (ratio, side) = (10f64.powf(power), random.pick(&[-1.0, 1.0]));
+        let ([mass, near, far, comes], rows) = nearing(random, ratio, side, 0.0);
         let wall = SurfaceDef::fixed(if side > 0.0 { area(-1.0, -9.0, 0.0, 9.0) } else { area(0.0, -9.0, 1.0, 9.0) }, Material::ICE);
-        let rows = vec![at(near + 0.5, mass, 0.0), at(near + gap + 1.5, mass * ratio, -comes)];
         let mut world = World::new(in_space(vec![wall], rows)).unwrap();
         // Places less the widths: the light one at `x`, the heavy one at `y`.
-        let (mut x, mut y, mut u, mut w, mut now) = (near, near + gap, 0.0, -comes, 0.0);
+        let (mut x, mut y, mut u, mut w, mut now) = (near, far, 0.0, -comes, 0.0);
         let mut hits = 0;
         for tick in 1..=(4.0 * hz) as u32 {
             world.step(1.0 / hz);
@@ -222,27 +215,19 @@ proptest! {
             prop_assert!((energy / (0.5 * mass * ratio * comes * comes) - 1.0).abs() <= 1e-9, "ratio {}, tick {}: {} J", ratio, tick, energy);
             prop_assert!((side * world.at(1).x - 1.5 - y).abs() <= 1e-6);
         }
-        let Guards { bounces_ended, budgets_used_up, .. } = *world.guards();
-        prop_assert_eq!((bounces_ended, budgets_used_up), (0, 0));
+        prop_assert_eq!(given_up(&world), (0, 0));
         let [light, heavy] = [0, 1].map(|i| side * world.speed(i).x);
         prop_assert!((light - u).abs() <= 1e-4 && (heavy - w).abs() <= 1e-6, "{} and {} m/s, not {} and {}", light, heavy, u, w);
     }
 
     /// On a smooth floor, and where drives differ, nothing of that is lost either: the energy is what the drives have given.
     #[test]
-    fn what_is_driven_on_a_smooth_floor_bounces_to_and_fro_without_loss(
-        seed in any::<u64>(),
-        power in 0.0..8.0f64,
-        hz in prop::sample::select(RATES.to_vec()),
-    ) {
+    fn what_is_driven_on_a_smooth_floor_bounces_to_and_fro_without_loss(seed in any::<u64>(), power in 0.0..8.0f64, hz in rates()) {
         let random = &mut Random(seed);
-        let (mass, ratio) = (random.decades(-2.0, 0.0), 10f64.powf(power));
-        let drive = random.between(-2.0, 2.0);
+        let (ratio, drive) = (10f64.powf(power), random.between(-2.0, 2.0));
         let pushed = [0.0, random.pick(&[0.0, drive])];
-        let at = |x: f64, mass: f64, speed: f64| BodyDef { position: v(x, -0.5), velocity: v(speed, 0.0), mass, restitution: 1.0, ..BodyDef::default() };
-        let (near, gap, comes) = (random.between(0.0, 2.0), random.between(0.2, 2.0), random.between(0.3, 3.0));
-        let surfaces = [area(-1.0, -9.0, 0.0, 0.0), area(-1.0, 0.0, 90.0, 1.0)].map(|of| SurfaceDef::fixed(of, rough(0.0)));
-        let bodies = vec![at(near + 0.5, mass, 0.0), at(near + gap + 1.5, mass * ratio, -comes)];
+        let ([mass, _, _, comes], bodies) = nearing(random, ratio, 1.0, -0.5);
+        let surfaces = [area(-1.0, -9.0, 0.0, 0.0), area(-1.0, 0.0, 90.0, 1.0)].map(|of| SurfaceDef::fixed(of, rough(0.0, 0.0)));
         let mut world = World::new(WorldDef { gravity: PULL, ..without_air(surfaces.to_vec(), bodies) }).unwrap();
         let masses = [mass, mass * ratio];
         (0..2).for_each(|i| world.set_drive(BodyId(i as u32), v(masses[i] * pushed[i], 0.0)));
@@ -256,19 +241,14 @@ proptest! {
             prop_assert!(gained.abs() <= 1e-9 * scale, "ratio {}, tick {} at {} Hz: {} J of {} J", ratio, tick, hz, gained, scale);
             prop_assert!(world.speed(0).y == 0.0 && world.speed(1).y == 0.0);
         }
-        let Guards { bounces_ended, budgets_used_up, .. } = *world.guards();
-        prop_assert_eq!((bounces_ended, budgets_used_up), (0, 0));
+        prop_assert_eq!(given_up(&world), (0, 0));
     }
 
     /// A light one between the floor and a heavy one that falls on it: whatever the tick, and without loss.
     #[test]
-    fn what_is_under_something_heavy_that_falls_bounces_without_loss(
-        seed in any::<u64>(),
-        power in 0.0..6.0f64,
-        hz in prop::sample::select(RATES.to_vec()),
-    ) {
+    fn what_is_under_something_heavy_that_falls_bounces_without_loss(seed in any::<u64>(), power in 0.0..6.0f64, hz in rates()) {
         let random = &mut Random(seed);
-        let at = |height: f64, mass: f64| BodyDef { position: v(0.0, -0.5 - height), mass, restitution: 1.0, ..BodyDef::default() };
+        let at = |height: f64, mass: f64| elastic(v(0.0, -0.5 - height), mass, 0.0);
         let (low, gap, mass) = (random.between(0.0, 0.5), random.between(0.5, 2.0), random.decades(-2.0, 0.0));
         let bodies = vec![at(low, mass), at(low + 1.0 + gap, mass * 10f64.powf(power))];
         let floor = || SurfaceDef::fixed(area(-9.0, 0.0, 9.0, 1.0), Material::ICE);
@@ -284,8 +264,7 @@ proptest! {
             prop_assert!((energy(&world) / begun - 1.0).abs() <= 1e-9, "tick {}: {} J", tick, energy(&world) - begun);
             prop_assert!((world.at(1).y - fine.at(1).y).abs() <= 1e-6, "tick {}: {} m", tick, world.at(1).y - fine.at(1).y);
         }
-        let Guards { bounces_ended, budgets_used_up, .. } = *world.guards();
-        prop_assert_eq!((bounces_ended, budgets_used_up), (0, 0));
+        prop_assert_eq!(given_up(&world), (0, 0));
     }
 }
 
@@ -294,10 +273,7 @@ proptest! {
 
     /// Tiles of a third of the body's width are hit together.
     #[test]
-    fn what_slides_over_tiles_is_only_slowed(
-        seed in any::<u64>(),
-        hz in prop::sample::select(vec![30.0, 60.0, 120.0, 240.0, 480.0]),
-    ) {
+    fn what_slides_over_tiles_is_only_slowed(seed in any::<u64>(), hz in rates()) {
         let random = &mut Random(seed);
         let (width, material) = (random.between(0.25, 0.3), random.pick(&Material::FIRM));
         let tile = |i: i32| SurfaceDef::fixed(area(width * f64::from(i), 0.0, width * f64::from(i + 1), 1.0), material);

@@ -121,7 +121,6 @@ fn a_winch_drags_a_load_until_its_rope_breaks() {
         world.link(rope).unwrap();
         let (mut dragged, mut snapped) = (false, None);
         for tick in 0..1200 {
-            // The ship holds its place.
             let hold = (DVec2::new(-6.0, -3.0) - world.at(0)) * 2000.0 - world.speed(0) * 800.0;
             world.set_drive(A, hold);
             world.step(DT);
@@ -143,7 +142,7 @@ fn the_stiffest_links_are_stable() {
     for (hz, k, c) in [(120.0, 4e6, 0.0), (120.0, 1e7, 1e4), (30.0, 1e7, 1e4), (30.0, 1e7, 0.0), (30.0, 0.0, 1e4)] {
         let turning = BodyDef { velocity: DVec2::new(0.0, 3.0), weightless: true, ..body(50.0, 0.0, 2.0) };
         let mut world =
-            world(10.0, vec![body(0.5, 3.0, 1.0), turning, BodyDef { weightless: true, ..body(52.05, 0.0, 2.0) }], Vec::new());
+            world(10.0, vec![body(0.5, 3.0, 1.0), turning, BodyDef { weightless: true, ..body(52.05, 0.0, 2.0) }], vec![]);
         hung(&mut world, DVec2::ZERO, rope(3.0, k, c));
         world.link(LinkDef::new(B, LinkEnd::Body(BodyId(2)), damped_spring(2.0, k, c))).unwrap();
         let energy = |world: &World| {

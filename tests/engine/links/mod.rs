@@ -26,7 +26,6 @@ fn sized(x: f64, y: f64, mass: f64, half_width: f64, half_height: f64) -> BodyDe
     BodyDef { half: DVec2::new(half_width, half_height), ..crate_at(x, y, mass) }
 }
 
-/// A spring between the first two bodies.
 fn tied(world: &mut World, law: LinkLaw) {
     world.link(LinkDef::new(A, LinkEnd::Body(B), law)).unwrap();
 }
@@ -70,7 +69,6 @@ fn two_bodies_on_a_spring_swing_as_the_formula_says() {
     }
 }
 
-/// The floor bears both, and the listed forces follow the law.
 #[test]
 fn one_end_may_rest_on_the_floor() {
     let (k, length, g) = (200.0, 1.0, 10.0);
@@ -91,17 +89,14 @@ fn one_end_may_rest_on_the_floor() {
         let pull = k * ((-0.1 - upper.y) - length);
         let (lower, upper) = (world.forces(A), world.forces(B));
         assert!((upper.total(ForceKind::Spring).y - pull).abs() < 1e-9, "{} N, not {pull}", upper.total(ForceKind::Spring));
-        assert_eq!(
-            lower.get(Source::Link(0), ForceKind::Spring).map(|force| -force),
-            upper.get(Source::Link(0), ForceKind::Spring)
-        );
+        let [on_lower, on_upper] = [&lower, &upper].map(|forces| forces.get(Source::Link(0), ForceKind::Spring));
+        assert_eq!(on_lower.map(|force| -force), on_upper);
         assert_eq!(lower.resultant(), DVec2::ZERO, "after {t} s");
         let borne = lower.total(ForceKind::Reaction).y;
         assert!((borne + 200.0 - pull).abs() < 1e-9, "the floor bears {borne} N, not {}", pull - 200.0);
     }
 }
 
-/// The spring pulls more than friction holds.
 #[test]
 fn a_spring_pulls_two_crates_together() {
     let mut world = world(10.0, vec![body(0.0, -0.1, 2.0), body(3.0, -0.1, 5.0)], vec![floor()]);
@@ -115,7 +110,7 @@ fn a_spring_pulls_two_crates_together() {
 #[test]
 fn ends_far_apart_pull_and_others_do_not_notice() {
     let bodies =
-        || vec![body(0.0, 0.0, 1.0), body(400.0, 0.0, 1.0), BodyDef { velocity: DVec2::new(1.0, 3.0), ..body(200.0, 5.0, 1.0) }];
+        || vec![body(0.0, 0.0, 1.0), body(400.0, 0.0, 1.0), BodyDef { velocity: (1.0, 3.0).into(), ..body(200.0, 5.0, 1.0) }];
     let (mut linked, mut free) = (world(3.0, bodies(), Vec::new()), world(3.0, bodies(), Vec::new()));
     let number = linked.link(LinkDef::new(A, LinkEnd::Body(B), spring(0.0, 0.01))).unwrap();
     for _ in 0..120 {

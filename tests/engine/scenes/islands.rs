@@ -52,7 +52,6 @@ fn busy_room(seed: u64, left: f64, count: usize, extras: Extras) -> WorldDef {
     if extras.media { WorldDef { air_density: 1.2041, fluids: vec![pool], streams: vec![fan], ..def } } else { def }
 }
 
-/// Both scenes in one world, the first one's things first.
 fn with(mut def: WorldDef, other: WorldDef) -> WorldDef {
     def.bodies.extend(other.bodies);
     def.surfaces.extend(other.surfaces);
@@ -61,7 +60,6 @@ fn with(mut def: WorldDef, other: WorldDef) -> WorldDef {
     def
 }
 
-/// `count` bodies that fall far away, side by side.
 fn far_bodies(count: usize) -> WorldDef {
     let bodies = (0..count).map(|i| crate_at(FAR + 3.0 * i as f64, 0.0, 1.0 + i as f64)).collect();
     WorldDef { bodies, ..WorldDef::default() }
@@ -158,7 +156,6 @@ fn played(def: WorldDef, pusher: usize, drive: DVec2) -> Vec<[DVec2; 3]> {
     world.bodies().iter().map(|body| [body.position, body.velocity, body.acceleration]).collect()
 }
 
-/// The body of the yard that pushes the row.
 const PUSHER: usize = 2;
 const PUSH: DVec2 = DVec2::new(700.0, 0.0);
 
@@ -198,8 +195,7 @@ fn what_has_slept_still_lies_on_its_floor() {
         let mut random = Random(seed);
         let half = random.between(0.1, 0.5);
         let floor = random.between(5.0, 10.0);
-        let crate_at =
-            |x: f64, y: f64| BodyDef { position: DVec2::new(x, y), half: DVec2::splat(half), mass: 20.0, ..BodyDef::default() };
+        let crate_at = |x: f64, y: f64| BodyDef { half: DVec2::splat(half), ..crate::support::crate_at(x, y, 20.0) };
         let bodies = vec![crate_at(2.0, floor - half), crate_at(2.1, floor - 6.0)];
         let mut world = world(WorldDef { bodies, bounds: Some(area(0.0, 0.0, 10.0, floor)), ..WorldDef::default() });
         crate::support::run(&mut world, 2.0, TICK);

@@ -73,7 +73,6 @@ fn nothing_that_glides_as_one_moves_otherwise_body_by_body() {
                 ..BodyDef::default()
             })
             .collect();
-        // One that rests in the way.
         bodies.push(BodyDef {
             position: DVec2::new(8.0, -0.4),
             half: DVec2::splat(0.4),

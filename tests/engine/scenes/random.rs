@@ -12,7 +12,6 @@ const OVERLAP: f64 = 1e-6;
 const ROOM: Aabb = Aabb::new(DVec2::ZERO, DVec2::new(20.0, 16.0));
 const WILD_ROOM: Aabb = Aabb::new(DVec2::ZERO, DVec2::new(24.0, 20.0));
 
-/// Size, mass, velocity, restitution and material.
 type Drawn = ((f64, f64), f64, (f64, f64), f64, Material);
 
 /// One body a cell of a grid, so that none begins inside another.
@@ -73,7 +72,6 @@ fn wild(bodies: Vec<BodyDef>, surfaces: Vec<SurfaceDef>, air: bool, weightless: 
     WorldDef { gravity, air_density: air_density(air), bounds: Some(WILD_ROOM), bodies, surfaces, ..WorldDef::default() }
 }
 
-/// Finite, apart and within the room.
 fn is_sound(world: &World, room: Aabb) -> Result<(), TestCaseError> {
     let finite = |b: &Body| b.position.is_finite() && b.velocity.is_finite() && b.acceleration.is_finite();
     prop_assert!(world.bodies().iter().all(finite));

@@ -28,7 +28,6 @@ fn a_rider_slips_where_static_friction_gives_way() {
     let (static_friction, kinetic_friction) = (Material::ICE.static_friction, Material::ICE.kinetic_friction);
     let pull = kinetic_friction * G;
     for rate in RATES {
-        // Just below the limit it holds.
         let gentle = static_friction * G * (1.0 - 1e-9);
         let path = once(&[leg(2.0, v(0.0, 0.0), v(gentle, 0.0))]);
         let ice = |path| SurfaceDef { material: Material::ICE, bounds: area(-9.0, 0.0, 9.0, 1.0), ..platform(path) };
@@ -36,7 +35,6 @@ fn a_rider_slips_where_static_friction_gives_way() {
         run(&mut held, 1.9, rate, |_, _| ());
         let exact = 0.5 * gentle * (1.9 * rate).round() / rate * (1.9 * rate).round() / rate;
         within("held below μ_s·g: place, m", (position(&held, 0).x - exact).abs(), EXACT);
-        // Just above it does not.
         let path = once(&[leg(1.0, v(0.0, 0.0), v(2.0, 0.0)), leg(1e6, v(2.0, 0.0), v(0.0, 0.0))]);
         let mut world = world(vec![ice(path)], vec![block(0.0, 0.0, 4.0)]);
         run(&mut world, 6.0, rate, |world, t| {

@@ -24,7 +24,6 @@ fn a_door_waits_until_it_is_free() {
             assert!(free.is_some() || !clear || position(world, 0).x - velocity(world, 0).x / rate < 0.75 + EXACT);
         });
         assert!(free.is_some());
-        // It keeps out a body that comes back.
         world.set_drive(BodyId(0), v(-30.0, 0.0));
         run(&mut world, 4.0, rate, |_, _| ());
         assert_eq!((position(&world, 0), velocity(&world, 0)), (v(0.75, -0.5), DVec2::ZERO));
@@ -75,9 +74,8 @@ fn riders_rest_while_a_surface_waits_and_wake_when_it_goes_on() {
         });
         world.set_running(0, true);
         let mut drift = 0.0f64;
-        run(&mut world, 40.0, rate, |world, _| {
-            drift = drift.max((position(world, 1) - centre(world, 0) - v(0.0, -1.75)).length());
-        });
+        let off = |world: &World| (position(world, 1) - centre(world, 0) - v(0.0, -1.75)).length();
+        run(&mut world, 40.0, rate, |world, _| drift = drift.max(off(world)));
         within("lift that was stopped: drift afterwards, m", drift, EXACT);
     }
 }
@@ -120,12 +118,9 @@ fn paths_that_make_no_sense_are_refused() {
 
 #[test]
 fn an_impact_names_the_surface() {
-    let mut world = world(
-        vec![floor(), platform(once(&[leg(0.01, DVec2::ZERO, DVec2::ZERO), leg(1.0, v(0.0, -2.0), DVec2::ZERO)]))],
-        vec![block(0.0, 0.0, 1.0)],
-    );
+    let path = once(&[leg(0.01, DVec2::ZERO, DVec2::ZERO), leg(1.0, v(0.0, -2.0), DVec2::ZERO)]);
+    let mut world = world(vec![floor(), platform(path)], vec![block(0.0, 0.0, 1.0)]);
     world.step(1.0 / 60.0);
-    let named =
-        |event: &Event| matches!(event, Event::Impact { b: Obstacle::Surface(1), speed, .. } if (speed - 2.0).abs() < EXACT);
-    assert!(world.events().iter().any(named), "{:?}", world.events());
+    let hit = |event: &Event| matches!(event, Event::Impact { b: Obstacle::Surface(1), speed, .. } if (speed - 2.0).abs() < EXACT);
+    assert!(world.events().iter().any(hit), "{:?}", world.events());
 }

@@ -7,7 +7,7 @@ mod one_way;
 mod presses;
 mod walls;
 
-use crate::support::{G, area, crushed, deepest};
+use crate::support::{G, area, crushed, deepest, v};
 use resultant::physics::{
     Aabb, BodyDef, BodyId, DVec2, Event, ForceKind, Leg, Material, Obstacle, Path, Sides, Source, SurfaceDef, World, WorldDef,
 };
@@ -21,15 +21,10 @@ const EXACT: f64 = 1e-9;
 /// Relative. The bar for forces.
 const FORCE: f64 = 1e-12;
 
-fn v(x: f64, y: f64) -> DVec2 {
-    DVec2::new(x, y)
-}
-
 fn leg(duration: f64, velocity: DVec2, acceleration: DVec2) -> Leg {
     Leg { duration, velocity, acceleration }
 }
 
-/// Along these legs, once.
 fn once(legs: &[Leg]) -> Path {
     Path { legs: legs.to_vec(), repeats: false }
 }
@@ -68,7 +63,6 @@ fn run(world: &mut World, seconds: f64, rate: f64, mut after: impl FnMut(&World,
     }
 }
 
-/// Without gravity and air.
 fn in_space(surfaces: Vec<SurfaceDef>, bodies: Vec<BodyDef>) -> World {
     World::new(WorldDef { gravity: 0.0, air_density: 0.0, rest_speed: 0.0, surfaces, bodies, ..WorldDef::default() }).unwrap()
 }

@@ -21,14 +21,12 @@ fn a_one_way_platform_lets_through_from_below_and_carries_from_above() {
             });
         }
         // 9 m/s from 2 m below: its bottom gets to 0.7 m above the platform, and lands.
-        let mut world =
-            world(vec![one_way(Sides::TOP, Path::default())], vec![BodyDef { velocity: v(0.0, -9.0), ..block(0.0, 2.0, 1.0) }]);
+        let thrown = BodyDef { velocity: v(0.0, -9.0), ..block(0.0, 2.0, 1.0) };
+        let mut world = world(vec![one_way(Sides::TOP, Path::default())], vec![thrown]);
         run(&mut world, 3.0, rate, |_, _| ());
         within("one-way: lands, m", (position(&world, 0).y + 0.5).abs(), 1e-15);
         let stands = position(&world, 0);
-        run(&mut world, 180.0, rate, |world, _| {
-            assert_eq!((position(world, 0), velocity(world, 0)), (stands, DVec2::ZERO));
-        });
+        run(&mut world, 180.0, rate, |world, _| assert_eq!((position(world, 0), velocity(world, 0)), (stands, DVec2::ZERO)));
         assert_eq!(reaction(&world, 0, 0), G);
     }
 }
@@ -103,19 +101,14 @@ fn a_one_way_lift_passes_what_it_meets_from_its_open_side() {
         lift.bounds = area(-2.0, -3.0, 2.0, -2.7);
         let mut world = world(vec![floor(), lift], vec![block(0.0, 0.0, 1.0)]);
         let (mut lowest, mut crushes) = (f64::NEG_INFINITY, 0);
-        run(&mut world, 2.15, rate, |world, _| {
-            assert_eq!(position(world, 0), v(0.0, -0.5));
-        });
+        run(&mut world, 2.15, rate, |world, _| assert_eq!(position(world, 0), v(0.0, -0.5)));
         run(&mut world, 2.0, rate, |world, _| {
             lowest = lowest.max(position(world, 0).y);
             crushes += crushed(world).len();
         });
         assert_eq!(crushes, 0);
         assert!(lowest <= -0.5 + EXACT);
-        within(
-            "one-way: taken up from the floor, m",
-            (position(&world, 0).y - world.surfaces()[1].bounds.min.y + 0.5).abs(),
-            EXACT,
-        );
+        let above = position(&world, 0).y - world.surfaces()[1].bounds.min.y;
+        within("one-way: taken up from the floor, m", (above + 0.5).abs(), EXACT);
     }
 }

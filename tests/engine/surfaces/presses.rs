@@ -10,11 +10,8 @@ fn a_lift_waits_for_what_it_would_squeeze() {
             for e in [0.0, 0.6, 1.0] {
                 let path = Path::shuttle(v(0.0, -6.0), 4.0, ease, 0.0);
                 let ceiling = SurfaceDef::fixed(area(-5.0, -30.0, 5.0, -2.5 - f64::from(riders)), Material::ASPHALT);
-                let bodies = (0..riders)
-                    .map(|i| BodyDef { restitution: e, ..block(0.0, -f64::from(i), 2.0) })
-                    // Far from all this, something rides a twin of the lift.
-                    .chain([block(100.0, 0.0, 2.0)])
-                    .collect();
+                let rider = |i: u32| BodyDef { restitution: e, ..block(0.0, -f64::from(i), 2.0) };
+                let bodies = (0..riders).map(rider).chain([block(100.0, 0.0, 2.0)]).collect();
                 let mut twin = platform(path.clone());
                 twin.bounds = area(98.0, 0.0, 102.0, 0.5);
                 let mut world = world(vec![platform(path.clone()), ceiling, twin], bodies);
@@ -36,12 +33,9 @@ fn a_lift_waits_for_what_it_would_squeeze() {
                     let exact = path.at(t).offset.y;
                     assert!((centre(world, 2).y - 0.25 - exact).abs() < EXACT);
                 });
-                assert!(first.is_some(), "never squeezed: {riders} riders, ease {ease}, e {e}, {rate} Hz");
-                within(
-                    &format!("squeezed under a ceiling, {riders} riders, ease {ease}, e {e}, {rate} Hz: deepest overlap, m"),
-                    deepest,
-                    EXACT,
-                );
+                let case = format!("under a ceiling, {riders} riders, ease {ease}, e {e}, {rate} Hz: deepest overlap, m");
+                assert!(first.is_some(), "never squeezed {case}");
+                within(&case, deepest, EXACT);
                 within("squeezed: where the lift waits, m", (world.surfaces()[0].bounds.min.y + 2.5).abs(), EXACT);
                 // Pulled out of there, they let the lift go on, later by as long as it has waited.
                 for i in 0..riders {

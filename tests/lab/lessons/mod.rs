@@ -6,6 +6,7 @@ mod sheet;
 mod variations;
 
 use crate::support::shipped::project;
+use resultant::files;
 use resultant::game::{Controls, Game, TICK_RATE};
 use resultant::level::{self, Level};
 use resultant::physics::{Body, BodyId, DVec2, ForceKind, Impulse, Material};
@@ -45,7 +46,6 @@ impl Run {
         Self::varied(name, "")
     }
 
-    /// An experiment with a sheet's change.
     fn varied(name: &str, change: &str) -> Self {
         Self::of(Arc::new(sheet::level(name, change)))
     }
@@ -56,7 +56,6 @@ impl Run {
         Self { game, start }
     }
 
-    /// The same from its start.
     fn again(&self) -> Self {
         Self::of(Arc::new(self.game.level().clone()))
     }
@@ -123,7 +122,6 @@ impl Run {
     }
 }
 
-/// The part of a force that points up.
 fn up(force: DVec2) -> f64 {
     -force.y
 }
@@ -268,7 +266,6 @@ fn buoyancy() -> Vec<Figure> {
 
 fn pushed_row() -> Vec<Figure> {
     let mut run = Run::new("pushed-row");
-    // The mover waits for 3 s.
     run.until(5.0);
     let mut figures = vec![figure("all, acceleration", "m/s²", 2.0, run.body(1).acceleration.x)];
     figures.extend((1..=5).map(|object| run.push(object, 20.0 * (6 - object) as f64)));
@@ -301,10 +298,8 @@ fn projectile() -> Vec<Figure> {
     figures
 }
 
-/// The figures of an experiment.
 type Figures = fn() -> Vec<Figure>;
 
-/// Every experiment by its folder.
 const EXPERIMENTS: [(&str, Figures); 17] = [
     ("free-fall", free_fall),
     ("terminal-velocity", terminal_velocity),
@@ -325,7 +320,6 @@ const EXPERIMENTS: [(&str, Figures); 17] = [
     ("collision-lab", ropes::collision_lab),
 ];
 
-/// A number with three significant digits.
 fn three(value: f64) -> String {
     if value.abs() < 1e-9 {
         return "0".to_owned();
@@ -340,10 +334,8 @@ fn every_experiment_has_its_exact_answer_and_its_sheet_names_it() {
         let figures = figures();
         figures.iter().for_each(|figure| figure.check(name));
         let rows: Vec<[String; 2]> = figures.iter().map(Figure::row).collect();
-        assert_eq!(
-            (listed.folder.as_str(), sheets::figures(&listed.readings).unwrap()),
-            (name, rows.iter().map(|row| row.each_ref().map(String::as_str)).collect())
-        );
+        let rows: Vec<_> = rows.iter().map(|row| row.each_ref().map(String::as_str)).collect();
+        assert_eq!((listed.folder.as_str(), sheets::figures(&listed.readings).unwrap()), (name, rows));
     }
 }
 
@@ -369,7 +361,7 @@ fn every_suggested_change_does_what_its_sheet_says() {
 
 #[test]
 fn the_list_of_experiments_names_those_that_are_there() {
-    let root = project().join("experiments");
+    let root = project().join(files::EXPERIMENTS);
     let list = std::fs::read_to_string(root.join("experiments.csv")).unwrap();
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(list.as_bytes());
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();

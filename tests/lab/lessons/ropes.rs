@@ -64,7 +64,6 @@ pub fn pendulum() -> Vec<Figure> {
     figures
 }
 
-/// The force of a rope that leads a mass round a circle.
 pub fn circle(run: &mut Run, object: usize, what: &str, [mass, speed, radius]: [f64; 3]) -> Figure {
     on_a_rope(format!("{what}, force of the rope"), "N", mass * speed * speed / radius, tension(run.until(1.5), object))
 }
@@ -98,7 +97,6 @@ pub fn circular_motion() -> Vec<Figure> {
     figures
 }
 
-/// A rope that is too weak for its ball.
 pub fn broken(run: &mut Run) -> Vec<Figure> {
     let (pull, speed) = (tension(run.until(1.0), 2), run.speed(2));
     vec![figure("12 m/s, force of the rope", "N", 0.0, pull), on_a_rope("12 m/s, speed after 1 s", "m/s", 12.0, speed)]
@@ -162,9 +160,8 @@ pub fn let_go(run: &mut Run, object: usize, (what, mass): (&str, f64), (k, gravi
 pub fn hooke() -> Vec<Figure> {
     let mut run = Run::new("hooke");
     run.until(10.0);
-    let rest =
-        |(object, mass): (usize, f64)| figure(format!("{mass} kg at rest, stretch"), "m", mass * G / 50.0, stretch(&run, object));
-    let mut figures = vec![rest((3, 2.0)), rest((4, 4.0))];
+    let rest = |object, mass: f64| figure(format!("{mass} kg at rest, stretch"), "m", mass * G / 50.0, stretch(&run, object));
+    let mut figures = vec![rest(3, 2.0), rest(4, 4.0)];
     figures.extend(let_go(&mut run.again(), 1, ("soft", 4.0), (50.0, G)));
     figures.extend(let_go(&mut run.again(), 2, ("hard", 4.0), (100.0, G)));
     figures

@@ -1,13 +1,13 @@
 //! The texts of the sheets, `docs/lessons`: each suggested change, and a level with that change.
 
 use crate::support::shipped::project;
+use resultant::files::EXPERIMENTS;
 use resultant::level::{self, Files, Level};
 use sheets::Lesson;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::PathBuf;
 
-/// The text of an experiment's sheet.
 pub fn text(name: &str) -> String {
     let path = project().join("docs/lessons").join(format!("{name}.md"));
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
@@ -37,7 +37,6 @@ pub fn variations(text: &str) -> Vec<Variation<'_>> {
     found
 }
 
-/// A level's tables in memory.
 struct Tables(BTreeMap<String, String>);
 
 impl Files for Tables {
@@ -50,9 +49,8 @@ impl Files for Tables {
     }
 }
 
-/// An experiment with a sheet's change; without one where that is empty.
 pub fn level(name: &str, change: &str) -> Level {
-    let folder = project().join("experiments").join(name);
+    let folder = project().join(EXPERIMENTS).join(name);
     let files = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let read = |path: PathBuf| {
         let file = path.file_name().unwrap().to_str().unwrap().to_owned();

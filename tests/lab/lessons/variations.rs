@@ -8,7 +8,6 @@ use resultant::physics::{DVec2, ForceKind};
 /// The figures of a change.
 pub type Outcome = fn(&mut Run) -> Vec<Figure>;
 
-/// The changes of an experiment's sheet.
 pub fn of(name: &str) -> Vec<Outcome> {
     match name {
         "free-fall" => vec![

@@ -6,7 +6,6 @@ use resultant::level::document::{Document, Kind, LevelFolder, NewRow, Place, Row
 use resultant::physics::DVec2;
 use std::path::Path;
 
-/// A document of one file.
 fn of(table: Table, text: &str) -> Document {
     Document::new(|asked| (asked == table).then(|| text.as_bytes().to_vec()))
 }
@@ -67,7 +66,6 @@ fn what_a_cell_is_not_about_stays() {
     let mut document = of(Table::World, file);
     document.set(&[set(row(Table::World, 0), "y", "6"), set(row(Table::World, 1), "x", "9")], None).unwrap();
     assert_eq!(text(&document, Table::World), file.replace("\"5\"", "\"6\"").replace("3,4", "3,9"));
-    // The same text is no change, nor is one that was there.
     let (version, history) = (document.version(), document.history());
     document.set(&[set(row(Table::World, 0), "height", "040")], None).unwrap();
     assert_eq!((document.version(), document.history()), (version, history));
@@ -108,7 +106,6 @@ fn rows_are_added_below_and_taken_out_with_their_lines() {
     assert_eq!(text(&document, Table::World), "# floor\r\nwidth,height,x,y\r\n\r\n7,8,5,6\r\n");
     assert!(document.undo() && document.undo() && !document.undo());
     assert_eq!(text(&document, Table::World), "# floor\r\nwidth,height,x,y\r\n\r\n1,2,3,4");
-    // A file that was not there.
     document.put(Kind::Pod, Place { min: DVec2::new(1.0, 2.0), size: DVec2::new(30.0, 40.0) }).unwrap();
     assert_eq!(text(&document, Table::Pods), "x,y,width,height,fuel\n1,2,30,40,100\n");
     assert!(document.undo());
@@ -149,7 +146,6 @@ fn a_gesture_is_one_operation_however_long_it_takes() {
     assert_eq!(text(&document, Table::World), "1,2,3,4\n5,6,7,8\n");
     assert!(document.redo());
     assert_eq!(text(&document, Table::World), "498498,2,3,4\n499499,6,7,8\n");
-    // One that ends where it began is no change.
     let before = document.history();
     document.set(&[set(row(Table::World, 0), "y", "9")], Some(9)).unwrap();
     document.set(&[set(row(Table::World, 0), "y", "2")], Some(9)).unwrap();
@@ -309,14 +305,11 @@ fn a_name_takes_its_wires_along() {
     assert_eq!(document.history(), (1, 0));
     assert!(document.undo() && document.bytes(Table::Switches).unwrap() == files[3].1);
     assert!(document.redo());
-    // Of two things of one name only one is renamed: both are still worked.
     name(&mut document, Table::Doors, 1, "hatch", 2);
     name(&mut document, Table::Movers, 0, "raft", 3);
     assert_eq!(works(&document), ["gate hatch !blow", "raft"]);
     assert_eq!(document.wires().len(), 4);
-    for _ in 0..3 {
-        document.undo();
-    }
+    assert!((0..3).all(|_| document.undo()));
     for (file, bytes) in files {
         assert_eq!(document.bytes(Table::of_file(file).unwrap()).unwrap(), bytes, "{file}");
     }

@@ -13,7 +13,6 @@ use std::time::Duration;
 
 const BLOCK: Place = Place { min: DVec2::new(10.0, 10.0), size: DVec2::new(50.0, 20.0) };
 
-/// A level that loads, in a folder of its own.
 fn level() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("constants.csv"), "# size\r\nwidth,1280\r\nheight,720\r\n").unwrap();
@@ -40,7 +39,6 @@ fn what_is_opened_and_saved_is_the_same_to_the_byte() {
         for name in names(copy.path()) {
             assert_eq!(fs::read(copy.path().join(&name)).unwrap(), fs::read(folder.join(&name)).unwrap(), "{name}");
         }
-        // The loader's report on the document in memory is its report on the files.
         let problems = |loaded: Result<level::Loaded, Vec<level::Problem>>| {
             loaded.map(|loaded| loaded.level).map_err(|problems| problems.len())
         };
@@ -86,7 +84,6 @@ fn what_another_program_wrote_is_taken_over_or_told_but_never_written_over() {
     assert_eq!(opened.folder.take_over(&mut opened.document), (false, vec![Table::World]));
     let Err(LevelSaveError::Changed(tables)) = opened.folder.save(&opened.document) else { panic!("saved") };
     assert_eq!((tables, fs::read_to_string(path("world.csv")).unwrap().as_str()), (vec![Table::World], "0,600,1280,120\n"));
-    // Either of the two; the other one is beside it, and one undo away.
     let (mine, theirs) = ("0,680,1280,40\n10,10,50,20\n", "0,600,1280,120\n");
     let mut other = (opened.document.clone(), opened.folder.clone());
     assert_eq!(other.1.settle(&mut other.0, KeptSide::Theirs).unwrap(), ["world.csv.mine-1"]);
@@ -121,7 +118,6 @@ fn what_cannot_even_be_kept_is_said_to_be_so() {
     let folder = level();
     let mut opened = LevelFolder::open(folder.path(), folder.path()).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
-    // Nothing can be put in the place of a folder.
     fs::create_dir_all(folder.path().join(".autosave/taken")).unwrap();
     let error = opened.folder.save(&opened.document).unwrap_err();
     assert!(matches!(error, LevelSaveError::NotKept(_)), "{error:?}");
@@ -167,7 +163,6 @@ fn a_file_keeps_its_mode_and_a_link_stays_one() {
     assert!(fs::symlink_metadata(&world).unwrap().is_symlink());
     assert_eq!(fs::metadata(&target).unwrap().permissions().mode() & 0o777, 0o640);
     assert_eq!(fs::read_to_string(&target).unwrap().lines().count(), 2);
-    // A read-only file is refused, and nothing is lost.
     fs::set_permissions(&target, fs::Permissions::from_mode(0o440)).unwrap();
     opened.document.put(Kind::Solid, BLOCK).unwrap();
     assert!(matches!(opened.folder.save(&opened.document), Err(LevelSaveError::File(file, _)) if file == "world.csv"));
@@ -223,7 +218,6 @@ fn edit_until_killed(folder: &Path) {
 
 #[test]
 fn a_kill_leaves_each_file_old_or_new_and_the_edits_are_offered() {
-    // In a process that this test starts.
     if let Some(folder) = std::env::var_os("LEVEL_TO_EDIT") {
         edit_until_killed(Path::new(&folder));
     }
@@ -263,7 +257,6 @@ fn a_kill_leaves_each_file_old_or_new_and_the_edits_are_offered() {
             }
             None => assert!(on_disk.0 == on_disk.1 || on_disk == (0.0, 500.0), "{on_disk:?}"),
         }
-        // The next process starts from the saved files.
         fs::write(folder.path().join("world.csv"), &floor).unwrap();
         fs::write(folder.path().join("player.csv"), "100,600,100,500,3000\n").unwrap();
         fs::remove_file(folder.path().join(".autosave")).ok();

@@ -3,18 +3,18 @@
 mod bytes;
 mod disk;
 
+use resultant::files::EXPERIMENTS;
+use resultant::level;
 use resultant::level::document::{Document, Table};
 use std::path::{Path, PathBuf};
 
 /// The folders of all levels that come with the game, and of the loader's fixtures.
 fn folders() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let below = |folder: &str| {
-        let entries = std::fs::read_dir(root.join(folder)).unwrap().map(|entry| entry.unwrap().path());
-        entries.filter(|path| path.is_dir()).collect::<Vec<_>>()
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+        level::list(&folder).into_iter().map(move |name| folder.join(name))
     };
-    let mut all = below("levels");
-    all.extend(below("tests/fixtures/levels"));
+    let all: Vec<PathBuf> = ["levels", EXPERIMENTS, "tests/fixtures/levels"].into_iter().flat_map(below).collect();
     assert!(all.len() > 15, "{all:?}");
     all
 }

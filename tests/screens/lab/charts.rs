@@ -27,9 +27,7 @@ fn the_arrows_go_through_all_scenes_and_round() {
     let kept: Vec<String> = kept::charts().unwrap().diagrams.into_iter().map(|measured| measured.name).collect();
     let scenes = kept.len();
     let mut names = vec![name(&sitting)];
-    for _ in 1..scenes {
-        names.push(name(sitting.press(Key::Right)));
-    }
+    (1..scenes).for_each(|_| names.push(name(sitting.press(Key::Right))));
     assert_eq!(names, kept);
     assert_eq!(name(sitting.press(Key::Right)), kept[0]);
     assert_eq!(name(sitting.press(Key::Left)), kept[scenes - 1]);
@@ -86,10 +84,7 @@ fn error_and_energy_over_time_are_shown_of_what_was_followed() {
         assert!(!sitting.shows(words) && !sitting.shows("At the end"));
         assert_eq!(sitting.shows("Over time"), measured.over_time.is_some());
         sitting.press(Key::Space);
-        assert_eq!(
-            (sitting.shows(words), sitting.shows("At the end")),
-            (measured.over_time.is_some(), measured.over_time.is_some())
-        );
+        assert_eq!([sitting.shows(words), sitting.shows("At the end")], [measured.over_time.is_some(); 2]);
         if let Some(shown) = measured.over_time {
             followed += 1;
             assert!(shown.courses.iter().any(|course| course.name == "shipped engine"));
@@ -139,7 +134,6 @@ fn damaged_charts_are_told_and_the_shipped_ones_shown() {
         assert!(sitting.warning().unwrap().starts_with(problem), "{:?}", sitting.warning());
         assert!(same(lab(&sitting).charts(), &charts));
     }
-    // No folder of files at all.
     let sitting = lab_with(|root| fs::write(root.join("charts"), "").unwrap());
     assert!(sitting.warning().is_some() && scene(&sitting).0 == 0);
     let sitting = lab_with(|root| {
@@ -156,9 +150,7 @@ fn a_scene_without_points_is_shown_all_the_same() {
     charts.diagrams[0].curves.clear();
     charts.stress.clear();
     let mut sitting = lab_with(|root| write(root, &charts, None));
-    for key in [Key::Down, Key::Up, Key::Left, Key::Right, Key::End] {
-        sitting.press(key);
-    }
+    sitting.press_all(&[Key::Down, Key::Up, Key::Left, Key::Right, Key::End]);
     assert_eq!((sitting.warning(), picked_curve(&sitting)), (None, None));
     assert!(!sitting.shows("As shipped"));
     turn_to(&mut sitting, "Stress tests");

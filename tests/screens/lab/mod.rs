@@ -11,6 +11,7 @@ use crate::support::shipped::{copy, project};
 use charts::scene;
 use resultant::draw::layout::{Area, Frame, Vec2};
 use resultant::draw::{Contour, Shape};
+use resultant::files::EXPERIMENTS;
 use resultant::lab::charts::Charts;
 use resultant::lab::drawing::plane::Plane;
 use resultant::lab::kept;
@@ -35,7 +36,6 @@ fn lab_with(prepare: impl FnOnce(&Path)) -> Sitting {
     sitting
 }
 
-/// In the Lab, on the page of that tab, by key.
 fn lab_at(label: &str) -> Sitting {
     let mut sitting = lab_with(|_| {});
     turn_to(&mut sitting, label);
@@ -53,7 +53,6 @@ fn lab(sitting: &Sitting) -> &Lab {
     sitting.screen()
 }
 
-/// The boxes of that colour.
 fn boxes(sitting: &Sitting, of: resultant::draw::Colour) -> Vec<Area> {
     let shapes = sitting.app.canvas().shapes();
     let box_of = |shape: &Shape| match shape {
@@ -63,7 +62,6 @@ fn boxes(sitting: &Sitting, of: resultant::draw::Colour) -> Vec<Area> {
     shapes.iter().filter_map(box_of).collect()
 }
 
-/// The largest panel.
 fn panel(sitting: &Sitting) -> Area {
     let panels = boxes(sitting, theme::panel()).into_iter();
     panels.max_by(|a, b| a.size.element_product().total_cmp(&b.size.element_product())).expect("a panel")
@@ -102,7 +100,6 @@ fn the_pages_are_reached_by_key_and_by_mouse_and_left_by_esc_and_back() {
     }
 }
 
-/// Each picture of the first page leads on; the savings are there where they were measured, and fill the page.
 #[test]
 fn the_pictures_of_the_first_page_lead_on() {
     let mut charts = kept::charts().unwrap();
@@ -135,7 +132,7 @@ fn nothing_lies_on_anything_else_in_any_window() {
             sitting.assert_whole();
             let areas = sitting.areas();
             if page == Page::Experiments {
-                let listed = level::list(&project().join("experiments")).len();
+                let listed = level::list(&project().join(EXPERIMENTS)).len();
                 assert_eq!(areas.len(), PAGES.len() + 2 + listed, "{:?}", sitting.labels());
             }
             let apart = |a: &Area, b: &Area| a.max().cmple(b.min + 0.01).any() || b.max().cmple(a.min + 0.01).any();
@@ -171,9 +168,8 @@ fn a_region_of_stability_is_picked_out_by_key_and_by_its_line() {
     }
 }
 
-/// Those that come with the game.
 fn experiments(root: &Path) {
-    copy(&project().join("experiments"), &root.join("experiments"));
+    copy(&project().join(EXPERIMENTS), &root.join(EXPERIMENTS));
 }
 
 #[test]
@@ -185,7 +181,6 @@ fn an_experiment_is_described_flown_and_of_no_account() {
     assert!(sitting.shows("The sheet stands beside the flight") && !sitting.shows("t = √(2h/g)"), "the answer comes last");
     sitting.press(Key::Down);
     assert!(sitting.shows("docs/sheets/terminal-velocity.html"));
-    // A click chooses, a second one flies.
     let (third, title) = (sitting.areas()[PAGES.len() + 2].centre(), sitting.labels()[PAGES.len() + 2].to_owned());
     sitting.give(Input { pointer: third, click: true, ..Input::default() });
     assert!(sitting.focused() == title && sitting.shows("docs/sheets/force-mass-acceleration.html"));

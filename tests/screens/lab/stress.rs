@@ -16,12 +16,10 @@ fn stress_lines() -> Vec<(String, Option<Survival>)> {
     lines.collect()
 }
 
-/// The panels of the table and of the large picture.
 fn stress_panels(sitting: &Sitting) -> [Area; 2] {
     boxes(sitting, theme::panel()).try_into().expect("two panels")
 }
 
-/// The lines in view.
 fn in_view(sitting: &Sitting) -> Range<usize> {
     let [table, _] = stress_panels(sitting);
     let first_column = |at: &Vec2| at.x < table.min.x + 100.0 && table.contains(*at);
@@ -40,7 +38,6 @@ fn in_view(sitting: &Sitting) -> Range<usize> {
     from..from + names.len()
 }
 
-/// The line that the large picture shows.
 fn large(sitting: &Sitting) -> Option<usize> {
     let [_, large] = stress_panels(sitting);
     let texts: Vec<String> = sitting.texts().into_iter().filter(|(_, at)| large.contains(*at)).map(|(text, _)| text).collect();
@@ -85,7 +82,6 @@ fn the_failures_in_view_are_drawn_within_a_second_and_the_one_pointed_at_is_told
     }
     sitting.press(Key::Home).point_at(Vec2::ZERO);
     assert_eq!(large(&sitting), Some(1), "the first method, below the name of its test");
-    // Below it, line by line.
     let [table, _] = stress_panels(&sitting);
     let told: Vec<Option<usize>> =
         (0..200).map(|i| large(sitting.point_at(table.min + Vec2::new(table.size.x - 100.0, 8.0 + 2.0 * i as f32)))).collect();

@@ -33,7 +33,6 @@ fn play(file: &Path) {
     println!("played");
 }
 
-/// Starts the test of that name again with that configuration of ALSA.
 fn again(test: &str, configuration: &Path, samples: &Path) -> Output {
     Command::new(std::env::current_exe().unwrap())
         .args([test, "--exact", "--nocapture"])

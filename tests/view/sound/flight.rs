@@ -8,20 +8,22 @@ use resultant::level;
 use resultant::sound::{Ambience, Cue, Ear, Sound, Speaker, Stuff, desk, tune};
 use std::sync::Arc;
 
+/// The ship at rest in a room of 20 m × 20 m, unless the files say otherwise.
 fn game(files: &[(&'static str, &'static str)]) -> Game {
-    let files = files.iter().map(|(name, text)| (*name, (*text).to_owned())).collect();
+    let room = [
+        ("constants.csv", "name,value\nwidth,600\nheight,600\n"),
+        ("player.csv", "x,y,mass,fuel,thrust\n300,300,100,500,3000\n"),
+        ("objectives.csv", "PLAYER,0,0,1,1\n"),
+    ];
+    let room = room.iter().filter(|(name, _)| files.iter().all(|(other, _)| other != name));
+    let files = room.chain(files).map(|(name, text)| (*name, (*text).to_owned())).collect();
     let loaded = level::read("test", &Memory(files)).unwrap_or_else(|problems| panic!("{problems:?}"));
     Game::new(Arc::new(loaded.level)).unwrap()
 }
 
 /// A ship at rest in air 6 m above a floor of that material.
 fn above(floor: &'static str) -> Game {
-    game(&[
-        ("constants.csv", "name,value\nwidth,600\nheight,600\n"),
-        ("player.csv", "x,y,mass,fuel,thrust\n300,300,100,500,3000\n"),
-        ("world.csv", floor),
-        ("objectives.csv", "PLAYER,0,0,1,1\n"),
-    ])
+    game(&[("world.csv", floor)])
 }
 
 /// The sounds of `ticks` ticks, with no key pressed.
@@ -61,11 +63,7 @@ fn the_recorded_flight_is_heard_from_its_engine_to_its_success() {
 
 #[test]
 fn a_fall_is_heard_as_what_it_falls_on_and_how_fast() {
-    let floors = [
-        ("x,y,width,height,material\n0,500,600,30,Steel\n", Stuff::Steel),
-        ("x,y,width,height,material\n0,500,600,30,Ice\n", Stuff::Ice),
-    ];
-    for (floor, stuff) in floors {
+    for (floor, stuff) in [("0,500,600,30,Steel\n", Stuff::Steel), ("0,500,600,30,Ice\n", Stuff::Ice)] {
         let mut game = above(floor);
         let heard = listen(&mut game, 240);
         let hardest = heard.iter().filter(|sound| sound.cue == Cue::Knock(stuff)).map(|sound| sound.loudness).fold(0.0, f32::max);
@@ -78,12 +76,7 @@ fn a_fall_is_heard_as_what_it_falls_on_and_how_fast() {
 
 #[test]
 fn death_is_heard_once() {
-    let mut game = game(&[
-        ("constants.csv", "name,value\nwidth,600\nheight,600\n"),
-        ("player.csv", "x,y,mass,fuel,thrust\n300,300,100,500,3000\n"),
-        ("obstacles.csv", "x,y,width,height\n0,500,600,30\n"),
-        ("objectives.csv", "PLAYER,0,0,1,1\n"),
-    ]);
+    let mut game = game(&[("obstacles.csv", "x,y,width,height\n0,500,600,30\n")]);
     let heard = listen(&mut game, 400);
     assert_eq!(heard.iter().filter(|sound| sound.cue == Cue::Death).count(), 1, "{heard:?}");
     assert_eq!(Ambience::of(&game, 1.0).engine, 0.0, "a lost ship burns no more");
@@ -91,7 +84,7 @@ fn death_is_heard_once() {
 
 #[test]
 fn speed_is_wind_in_air_and_motion_in_a_liquid() {
-    let mut game = above("x,y,width,height,material\n0,590,600,10,Ice\n");
+    let mut game = above("0,590,600,10,Ice\n");
     assert_eq!(Ambience::of(&game, 0.0), Ambience::default());
     let mut last = 0.0;
     for _ in 0..60 {
@@ -110,7 +103,6 @@ fn a_dive_splashes_once_and_is_heard_under_water() {
         ("constants.csv", "name,value\nwidth,600\nheight,1200\n"),
         ("player.csv", "x,y,mass,fuel,thrust\n300,300,4000,500,3000\n"),
         ("fluids.csv", "x,y,width,height,density,viscosity\n0,500,600,700,1000,0.001\n"),
-        ("objectives.csv", "PLAYER,0,0,1,1\n"),
     ]);
     let heard = listen(&mut game, 300);
     assert_eq!(heard.iter().filter(|sound| sound.cue == Cue::Splash).count(), 1, "{heard:?}");

@@ -3,7 +3,6 @@
 use resultant::sound::{Ambience, Cue, Mixer, Sound, SoundDesk, Volumes, desk};
 use std::f64::consts::TAU;
 
-/// Samples a second.
 pub const RATE: u32 = 48_000;
 /// As loud as it gets.
 pub const FULL: Volumes = Volumes { master: 1.0, effects: 1.0, music: 1.0 };
@@ -48,7 +47,6 @@ impl Listener {
     }
 }
 
-/// Samples, left and right.
 #[derive(PartialEq)]
 pub struct Heard(pub Vec<[f32; 2]>);
 
@@ -58,7 +56,6 @@ impl Heard {
         self.0.iter().map(|[left, right]| 0.5 * (f64::from(*left) + f64::from(*right)))
     }
 
-    /// The largest amplitude of either side.
     pub fn peak(&self) -> f64 {
         f64::from(self.0.as_flattened().iter().fold(0.0_f32, |peak, sample| peak.max(sample.abs())))
     }
@@ -82,7 +79,6 @@ impl Heard {
         last.map_or(0.0, |last| (last + 1) as f64 / f64::from(RATE))
     }
 
-    /// The largest step from one sample to the next.
     pub fn step(&self) -> f64 {
         self.0.windows(2).map(|pair| f64::from((pair[1][0] - pair[0][0]).abs())).fold(0.0, f64::max)
     }
@@ -113,7 +109,6 @@ impl Heard {
         (slope / power).sqrt() * f64::from(RATE) / TAU
     }
 
-    /// The part between two times, s.
     pub fn part(&self, from: f64, to: f64) -> Self {
         let at = |seconds: f64| (seconds * f64::from(RATE)) as usize;
         Self(self.0[at(from)..at(to)].to_vec())

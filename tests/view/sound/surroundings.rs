@@ -5,7 +5,6 @@ use resultant::sound::{Ambience, Arrangement, Cue, Volumes, WORLDS};
 
 const NOTHING: Ambience = Ambience { engine: 0.0, wind: 0.0, liquid: 0.0, motion: 0.0 };
 
-/// The sound after a while.
 fn heard(ambience: Ambience) -> Heard {
     let mut listener = Listener::new();
     listener.hear(1.0, ambience);
@@ -69,7 +68,6 @@ fn a_liquid_muffles_everything_but_music() {
 fn a_game_that_is_held_up_falls_silent() {
     let mut listener = Listener::new();
     let before = listener.hear(1.0, engine(1.0)).rms();
-    // No frame comes any more.
     let mut samples = vec![0.0; 2 * 48_000];
     listener.mixer.render(&mut samples);
     let after = Heard(samples.as_chunks().0.to_vec());

@@ -1,6 +1,6 @@
 # A lesson with real keys and mouse: a fall is stopped, a ball picked out, its velocity plotted and taken along; g is in the file.
 
-cp -r experiments/free-fall "$data/levels/fall"
+cp -r levels/experiments/free-fall "$data/levels/fall"
 open_game play fall
 press b # it waits for that
 sleep 0.7

@@ -1,6 +1,6 @@
 //! A change of a level as one makes it in the game, at *What if …*: by the names, units and heights there.
 
-use super::{SheetWords, read};
+use super::{EXPERIMENTS, SheetWords, read};
 use std::path::Path;
 
 /// Pixels a metre.
@@ -47,7 +47,7 @@ pub fn by_hand(words: &SheetWords, root: &Path, folder: &str, change: &str) -> R
 }
 
 fn one(words: &SheetWords, root: &Path, folder: &str, part: &str) -> Result<Option<String>, String> {
-    let table = |file: &str| read(&root.join("experiments").join(folder).join(file));
+    let table = |file: &str| read(&root.join(EXPERIMENTS).join(folder).join(file));
     let (objects, images) = column(&table("objects.csv")?, "image");
     let (settings, values) = column(&table("constants.csv")?, "value");
     let cell = |row: usize, at: Option<usize>, rows: &[Vec<String>]| Some(rows.get(row)?.get(at?)?.clone());

@@ -1,5 +1,5 @@
 //! Sheets for lessons as HTML to be printed: of each experiment a page for the class, and one with its answers. The texts are those of
-//! `docs/lessons`, the order is that of `experiments/experiments.csv`; the keys, which all sheets share, stand here. English pages lie in the
+//! `docs/lessons`, the order is that of their `experiments.csv`; the keys, which all sheets share, stand here. English pages lie in the
 //! folder itself, those of each other language in one of its own.
 
 mod by_hand;
@@ -13,6 +13,9 @@ use std::path::Path;
 pub use text::{Lesson, Plan, figures};
 use text::{escaped, inline};
 use words::{LANGUAGES, SheetWords};
+
+/// The levels of the experiments and their list, from the project's root.
+const EXPERIMENTS: &str = "levels/experiments";
 
 /// The folder of the sheets in the project, and in what players get.
 pub const FOLDER: &str = "docs/sheets";
@@ -121,8 +124,8 @@ pub struct Listed {
 
 /// The experiments in the order of their sheets. Fails on a list that is missing or has another shape.
 pub fn listed(root: &Path) -> Result<Vec<Listed>, String> {
-    const LIST: &str = "experiments/experiments.csv";
-    let list = read(&root.join(LIST))?;
+    const LIST: &str = "experiments.csv";
+    let list = read(&root.join(EXPERIMENTS).join(LIST))?;
     let reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(list.as_bytes());
     let rows = reader.into_deserialize::<HashMap<String, String>>();
     let listed = |mut row: HashMap<String, String>| {
