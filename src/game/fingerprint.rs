@@ -79,6 +79,7 @@ fn rows(level: &Level) -> Vec<u8> {
         // Shown and scored, without an effect on the flight.
         experiment: _,
         overview: _,
+        storeys: _,
         size,
         gravity,
         gravity_x,

@@ -124,6 +124,7 @@ impl Draft {
             awards,
             landscape: settings.world,
             overview: settings.overview == 1.0,
+            storeys: settings.storeys == 1.0,
             player: self.player.map_or(ShipStart::PARKED, |ship| ship.item),
             world: items(self.world),
             movers: items(self.movers),

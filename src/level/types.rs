@@ -40,6 +40,8 @@ pub struct Level {
     pub experiment: bool,
     /// All of it is in view until the first key.
     pub overview: bool,
+    /// Whether the colours of five worlds lie one above the other.
+    pub storeys: bool,
     pub awards: Awards,
     /// The colours, the sky and the music; without one the level lies on plain paper.
     pub landscape: Option<Landscape>,

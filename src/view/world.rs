@@ -36,7 +36,7 @@ pub fn draw_ground(level: &Level, terrain: &Terrain, pictures: &Pictures, (view,
     if let Some(image) = picture {
         canvas.image(image, all, Colour::WHITE);
     } else if let Some(landscape) = level.landscape {
-        sky::draw(landscape, (&terrain.air(view), terrain.floor(level)), (view, canvas), time);
+        sky::draw((landscape, level.storeys), (&terrain.air(view), terrain.floor(level)), (view, canvas), time);
     }
     let strength = if picture.is_some() { PAPER_OVER_PICTURE } else { 1.0 };
     let fine = view.scale >= FINEST_PAPER;

@@ -2,11 +2,12 @@
 
 use crate::support::shipped::{fixture, levels, load};
 use proptest::prelude::*;
+use resultant::level::Landscape;
 use resultant::physics::{Aabb, DVec2};
 use resultant::view::terrain::drafting::{Dimension, dimensions, hatching};
 use resultant::view::terrain::light::cast;
 use resultant::view::terrain::silhouette::{Corner, Silhouette};
-use resultant::view::terrain::{ROCK, kind, mass, parts};
+use resultant::view::terrain::{ROCK, Tint, kind, mass, parts};
 
 /// A box by its top left corner and its size, m.
 fn area(x: f64, y: f64, width: f64, height: f64) -> Aabb {
@@ -235,4 +236,23 @@ fn a_level_as_large_as_can_be_is_drafted_in_bounds() {
     let boxes: Vec<_> = (0..200).map(|i| (area(0.0, 5000.0 * f64::from(i), 1e6, 1000.0), ROCK)).collect();
     let strokes = hatching(&Silhouette::new(&boxes), ROCK).len();
     assert!(strokes < 50_000, "{strokes}");
+}
+
+#[test]
+fn where_worlds_lie_in_storeys_rock_goes_from_the_moons_to_the_seas_without_a_step() {
+    let of = |world| Tint::of(Some(world), "");
+    let tint = Tint { storeys: Some(50.0), ..of(Landscape::Orbit) };
+    let storeys = [Landscape::Orbit, Landscape::Launch, Landscape::Wind, Landscape::Quarry, Landscape::Water];
+    for (world, y) in storeys.into_iter().zip([5.0, 15.0, 25.0, 35.0, 45.0]) {
+        let (here, there) = (tint.at(y), of(world));
+        let apart = [here.lit.r - there.lit.r, here.lit.b - there.lit.b, here.deep.g - there.deep.g];
+        assert!(apart.iter().all(|apart| apart.abs() < 1e-6), "{world:?}: {here:?}");
+    }
+    assert_eq!((tint.at(-9.0).lit, tint.at(99.0).lit), (tint.at(5.0).lit, tint.at(45.0).lit));
+    let step = |y: f64| (tint.at(y).lit.r - tint.at(y + 0.1).lit.r).abs();
+    assert!((0..500).all(|i| step(f64::from(i) * 0.1) < 0.01));
+    assert_eq!(of(Landscape::Wind).at(45.0), of(Landscape::Wind));
+    let bounds = area(1.0, 2.0, 3.0, 7.0);
+    assert_eq!(tint.strips(&bounds).reduce(|all, strip| all.union(&strip)), Some(bounds));
+    assert_eq!(of(Landscape::Wind).strips(&bounds).count(), 1);
 }

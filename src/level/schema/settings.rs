@@ -14,7 +14,7 @@ pub static CONSTANTS: FileSchema = FileSchema {
     help: "The settings of the level. width and height are needed where there is no background.png; silver and gold and one mark \
            (mark_hits, mark_fuel, mark_pushes, mark_speed, mark_burns, mark_together, or stars.csv) are what the level's medals ask for.",
     sample: "title,{name}\ngravity,15\ngravity_x,0\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nfriction,1\n\
-             experiment,0\noverview,0\nworld,quarry\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
+             experiment,0\noverview,0\nstoreys,0\nworld,quarry\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
 };
 pub static SETTING: RowSchema = RowSchema::new(&CONSTANTS, "Setting", SettingRow::COLUMNS);
 
@@ -50,6 +50,7 @@ rows! {
         friction: f64 = number(numbers::FRICTION, "factor of all coefficients of friction").or("1"),
         experiment: f64 = number(numbers::YES, "1: the level shows a law, the ship plays no part and nothing is scored").or("0"),
         overview: f64 = number(numbers::YES, "1: the whole level is in view until the first key").or("0"),
+        storeys: f64 = number(numbers::YES, "1: five worlds lie one above the other, from the sea up to orbit").or("0"),
         world: Option<Landscape> = one_of::<Landscape>("the world whose colours, sky and music it has").maybe(),
         silver: Option<f64> = TIME,
         gold: Option<f64> = TIME,

@@ -86,6 +86,16 @@ impl WorldPalette {
         }
     }
 
+    /// The two worlds between which a height lies where five lie one above the other, and how far it is from the first to the second. The
+    /// `share` is that of the level's height, from its top.
+    pub fn storeys(share: f64) -> (Self, Self, f32) {
+        const ALL: [WorldPalette; 5] = [ORBIT, LAUNCH, WIND, QUARRY, WATER];
+        let at = (share * ALL.len() as f64 - 0.5).clamp(0.0, ALL.len() as f64 - 1.0);
+        let above = (at as usize).min(ALL.len() - 2);
+        let t = (at - above as f64) as f32;
+        (ALL[above], ALL[above + 1], t * t * (3.0 - 2.0 * t))
+    }
+
     /// The sky at a share (0 … 1) of the way down, without its glows.
     pub fn sky_at(&self, share: f32) -> Colour {
         let next = self.sky.iter().position(|(at, _)| *at > share).unwrap_or(self.sky.len() - 1).max(1);
@@ -96,12 +106,19 @@ impl WorldPalette {
 
 /// Shares of the camera's motion that the layers take part in.
 const PARALLAX: [f32; 3] = [0.06, 0.15, 0.30];
+/// The tone of a storey's air, as a share of the way down its world's sky.
+const STOREY_TONE: f32 = 0.5;
 /// The light of lamps on masts and over pads.
 pub const LAMP: Colour = Colour::hex(0xFFE6BC);
 
 /// Draws a world's sky in the `air`, canvas units; its ground lies about the level's `floor`, m. `time` (s) moves wheels, dust and
-/// bubbles.
-pub fn draw(landscape: Landscape, (air, floor): (&[Area], f64), (view, canvas): (&Viewport, &Canvas), time: f64) {
+/// bubbles. Where worlds lie in `storeys`, the air has their colours.
+pub fn draw(
+    (landscape, storeys): (Landscape, bool),
+    (air, floor): (&[Area], f64),
+    (view, canvas): (&Viewport, &Canvas),
+    time: f64,
+) {
     if theme::is_plain() {
         return;
     }
@@ -129,6 +146,16 @@ pub fn draw(landscape: Landscape, (air, floor): (&[Area], f64), (view, canvas): 
         Landscape::Wind => sky.wind_works(),
         Landscape::Water => sky.deep_water(),
         Landscape::Orbit => sky.orbit(),
+    }
+    if storeys {
+        // Space fades into the air of the worlds below it.
+        let colour = |at: Vec2| {
+            let share = f64::from(at.y - origin.y) / f64::from(view.length(level));
+            let (above, below, t) = WorldPalette::storeys(share);
+            let opaque = if above == ORBIT { t } else { 1.0 };
+            above.sky_at(STOREY_TONE).mixed(below.sky_at(STOREY_TONE), t).faded(opaque)
+        };
+        sky.sky(|at, _| colour(at));
     }
     sky.flush();
 }

@@ -108,6 +108,9 @@ const INKS: [Colour; 8] = [
     Colour::hex(0xA8AAB4),
 ];
 
+/// The height of a strip of rock in a far view, m.
+const STRIP: f64 = 2.0;
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tint {
     /// The rock at its edge, and deep inside.
@@ -125,6 +128,8 @@ pub struct Tint {
     pub fine: Colour,
     /// Line of the paper every ten metres.
     pub heavy: Colour,
+    /// The height of a level whose worlds lie in storeys, m.
+    pub storeys: Option<f64>,
 }
 
 impl Tint {
@@ -147,7 +152,33 @@ impl Tint {
             ink,
             fine: ink.faded(0.05),
             heavy: ink.faded(0.05),
+            storeys: None,
         }
+    }
+
+    /// The tint at a height, m from the level's top.
+    pub fn at(&self, y: f64) -> Self {
+        let Some(height) = self.storeys else { return *self };
+        let (above, below, t) = WorldPalette::storeys(y / height);
+        let mixed = |of: fn(&WorldPalette) -> Colour| of(&above).mixed(of(&below), t);
+        let ink = mixed(|world| world.ink);
+        let rim = self.rim.map(|(_, towards)| (mixed(|world| world.rim), towards));
+        Self {
+            lit: mixed(|world| world.rock[0]),
+            deep: mixed(|world| world.rock[1]),
+            edge: ink.mixed(Colour::WHITE, 0.12),
+            rim,
+            ink,
+            ..*self
+        }
+    }
+
+    /// A box of rock in strips of about one tint.
+    pub fn strips(&self, bounds: &Aabb) -> impl Iterator<Item = Aabb> + use<> {
+        let count = if self.storeys.is_some() { (bounds.size().y / STRIP).ceil().max(1.0) } else { 1.0 };
+        let (min, step) = (bounds.min, DVec2::new(0.0, bounds.size().y / count));
+        let size = DVec2::new(bounds.size().x, step.y);
+        (0..count as u32).map(move |i| Aabb::new(min + step * f64::from(i), min + step * f64::from(i) + size))
     }
 
     fn from_name(name: &str) -> Self {
@@ -165,6 +196,7 @@ impl Tint {
             ink,
             fine: theme::ground().mixed(ink, 0.065),
             heavy: theme::ground().mixed(ink, 0.14),
+            storeys: None,
         }
     }
 }

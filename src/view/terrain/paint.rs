@@ -70,11 +70,13 @@ impl Terrain {
             Silhouette::new(&pieces).edges.to_vec()
         });
         let dimensions = drafting::dimensions(&mass, ROCK, &taken);
+        let tint = Tint::of(level.landscape, &level.name);
+        let storeys = (level.storeys && tint.world.is_some()).then_some(level.size.y);
         Self {
             seams: seams.collect(),
             strokes: drafting::hatching(&mass, ROCK),
             dimensions: dimensions.into_iter().map(|dimension| (dimension, metres(dimension.length()))).collect(),
-            tint: Tint::of(level.landscape, &level.name),
+            tint: Tint { storeys, ..tint },
             lit: lamps.take(MOST_LAMPS).map(|(bounds, reach)| cast(&mass.edges, &bounds, reach, &opaque)).collect(),
             opaque,
             open: mass.open(&level.bounds(), glass),
@@ -106,13 +108,14 @@ impl Terrain {
         }
     }
 
-    /// The colour of an edge by its kind and the unit vector into the rock: the light of the level's world falls on one side.
-    fn rim(&self, kind: usize, inward: DVec2) -> Colour {
-        let plain = edge_colour(kind, &self.tint);
-        match self.tint.rim.filter(|_| kind == ROCK) {
+    /// The colour of an edge: the light of the level's world falls on one side.
+    fn rim(&self, edge: &RockEdge) -> Colour {
+        let tint = self.tint.at(edge.bounds().centre().y);
+        let plain = edge_colour(edge.kind, &tint);
+        match tint.rim.filter(|_| edge.kind == ROCK) {
             Some((rim, towards)) => {
-                let facing = -inward.dot(towards) as f32;
-                if facing > 0.0 { plain.mixed(rim, facing) } else { plain.mixed(self.tint.deep, 0.45 * -facing) }
+                let facing = -edge.inward.dot(towards) as f32;
+                if facing > 0.0 { plain.mixed(rim, facing) } else { plain.mixed(tint.deep, 0.45 * -facing) }
             }
             None => plain,
         }
@@ -145,7 +148,10 @@ impl Terrain {
         let in_view = || self.mass.pieces().filter(|(bounds, _)| bounds.overlaps(&visible, 0.0));
         if RockMesh::is_plain(view) {
             for (bounds, _) in in_view().filter(|(_, kind)| *kind == ROCK) {
-                canvas.rectangle(view.rect(&bounds), self.tint.deep.mixed(self.tint.lit, 0.5).faded(rock));
+                for strip in self.tint.strips(&bounds) {
+                    let tint = self.tint.at(strip.centre().y);
+                    canvas.rectangle(view.rect(&strip), tint.deep.mixed(tint.lit, 0.5).faded(rock));
+                }
             }
         } else {
             let mut cells = self.rock.show(false, &self.mass, &self.open, &self.tint, view);
@@ -211,9 +217,9 @@ impl Terrain {
 
     fn draw_hatching(&self, view: &Viewport, pixel: f32, quads: &mut Quads) {
         let visible = view.visible();
-        let colour = self.tint.ink.faded(HATCHING);
         for HatchStroke { from, to } in &self.strokes {
             if from.cmpge(visible.min - 1.5).all() && from.cmple(visible.max + 1.5).all() {
+                let colour = self.tint.at(from.y).ink.faded(HATCHING);
                 quads.stroke([view.point(*from), view.point(*to)], pixel.max(1.2), [colour, colour.faded(0.0)]);
             }
         }
@@ -252,12 +258,12 @@ impl Terrain {
     fn draw_edges(&self, view: &Viewport, canvas: &Canvas) {
         let up = |edge: &&RockEdge| edge.inward.y > 0.5;
         for edge in self.edges_in_view(view).filter(|edge| !up(edge)) {
-            let bright = self.rim(edge.kind, edge.inward);
+            let bright = self.rim(edge);
             let shade = if Material::ALL[edge.kind].name == "Glass" { 1.0 } else { 0.85 };
             draw_side(edge, SIDE_WIDTH, Colour::new(bright.r * shade, bright.g * shade, bright.b * shade, 1.0), (view, canvas));
         }
         for edge in self.edges_in_view(view).filter(up) {
-            draw_side(edge, TOP_WIDTH, self.rim(edge.kind, edge.inward), (view, canvas));
+            draw_side(edge, TOP_WIDTH, self.rim(edge), (view, canvas));
         }
     }
 }

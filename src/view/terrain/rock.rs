@@ -89,6 +89,7 @@ fn make(piece: &Aabb, mass: &Silhouette, open: &[Aabb], tint: &Tint, smallest: f
             }
         }
         let fall = 1.0 - ((nearest - LIT) / FALL).clamp(0.0, 1.0) as f32;
+        let tint = tint.at(at.y);
         let tone = tint.deep.mixed(tint.lit, LEAST + (1.0 - LEAST) * fall.powf(POWER));
         tint.rim.map_or(tone, |(colour, _)| tone.mixed(colour, rim as f32))
     };
