@@ -1,5 +1,6 @@
 //! A level folder's files, put together: a valid level, or all its problems.
 
+use super::certain::Checked;
 use super::draft::Draft;
 use super::image::{BACKGROUND, Files, png_size};
 use super::names::{self, Stray};
@@ -9,7 +10,7 @@ use super::reader::LevelReader;
 use super::schema::settings::{LevelSettings, SETTING, settings};
 use super::schema::{FILES, Table};
 use super::types::Level;
-use super::{certain, gates, links, placement, winnable};
+use super::{certain, links, placement, winnable};
 use crate::physics::DVec2;
 use crate::words::tr;
 use std::io;
@@ -37,7 +38,7 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     let refused = |problems: Vec<Problem>| Err(in_order(problems.into_iter().chain(unused_sizes).collect()));
     problems.extend(names::check(&draft));
     problems.extend(links::check(&draft));
-    problems.extend(winnable::check_strength(&draft));
+    problems.extend(links::check_strength(&draft));
     problems.extend(placement::check_zones(&draft));
     problems.extend(placement::check(&draft, work));
     // A level without a readable player or size has a problem already.
@@ -46,18 +47,14 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     };
     let size = size / draft.scale.metre;
     warnings.extend(names::warn(&draft));
-    warnings.extend(winnable::warn_of_texts(&draft, size));
-    if let Some(player) = &draft.player {
+    warnings.extend(names::warn_of_texts(&draft, size));
+    if let Some(ship) = &draft.player {
         let space = placement::space(&draft, size, work.clone());
-        let problems = winnable::check(&draft, &player.item, &space);
+        let problems = winnable::check(&draft, &ship.item, &space);
         if !problems.is_empty() {
             return refused(problems);
         }
-        warnings.extend(winnable::same_turns(&draft));
-        warnings.extend(placement::warn(&draft, &player.item, &space));
-        warnings.extend(gates::warn_of_gates(&draft, &player.item, &space, size));
-        warnings.extend(winnable::warn_of_strength(&draft, player));
-        warnings.extend(certain::warn(&draft, player, &space, size));
+        warnings.extend(certain::warn(&Checked { draft: &draft, ship, size, space: &space }));
     }
     Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }
@@ -68,7 +65,7 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
 pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     let Gathered { background, mut draft, dialects, mut problems, mut warnings, .. } = gather(files, true);
     problems.extend(names::check(&draft));
-    let mut misplaced = winnable::check_strength(&draft);
+    let mut misplaced = links::check_strength(&draft);
     misplaced.extend(placement::check_zones(&draft));
     misplaced.extend(placement::check(&draft, &SearchWork::default()));
     draft.leave_out(&misplaced);

@@ -2,11 +2,12 @@
 
 use super::document::{Document, RowId, SetCell};
 use super::links::{self, TooMuch};
+use super::numbers as q;
 use super::parameter::Parameter;
 use super::problem::Problem;
+use super::reach::OVERLAP;
 use super::schema::{Kind, Table};
 use super::types::{Level, Mover, SHIP_HALF};
-use super::{numbers as q, winnable};
 use crate::physics::{Aabb, BodyId, DVec2, Sides, WorldDef};
 use crate::words::tr;
 
@@ -43,7 +44,7 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     }
     let changed = |parameter: &Parameter| changes.iter().any(|(changed, _)| changed == parameter);
     let (thrust, mass) = (varied.player.thrust, varied.player.mass);
-    if let Some(expected) = winnable::judge(thrust, mass) {
+    if let Some(expected) = links::judge(thrust, mass) {
         let parameter = if changed(&Parameter::Thrust) { Parameter::Thrust } else { Parameter::Mass(0) };
         refuse(parameter, tr!("{thrust} N on a ship of {mass} kg", thrust, mass), expected);
     }
@@ -51,7 +52,7 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     let strongest = varied.streams.iter().map(|stream| stream.force.abs().max_element()).fold(0.0, f64::max);
     if let Err(expected) = q::FORCE.judge(strongest) {
         refuse(Parameter::Wind, format!("{strongest} N"), expected);
-    } else if let Some(expected) = winnable::judge(strongest, lightest) {
+    } else if let Some(expected) = links::judge(strongest, lightest) {
         refuse(Parameter::Wind, tr!("{force} N on {mass} kg", force = strongest, mass = lightest), expected);
     }
     let body = |body: BodyId| match body.index().checked_sub(1) {
@@ -66,9 +67,6 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     }
     if problems.is_empty() { Ok(varied) } else { Err(problems) }
 }
-
-/// The most that things overlap at the start, m, as for the loader.
-const OVERLAP: f64 = 1e-6;
 
 /// Whether a body or a mover leaves the level, or a body starts in a solid or another body.
 fn problems_of_places(level: &Level) -> bool {
