@@ -35,8 +35,7 @@ pub struct JumperArgs {
     inputs: Option<PathBuf>,
 }
 
-/// Climbs until the inputs end or all players are out.
-/// Errors: inputs that are refused, with file and line.
+/// Climbs until the inputs end or all players are out. Errors: inputs that are refused, with file and line.
 pub fn run_jumper(args: &JumperArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let rows = match &args.inputs {
         Some(path) => parse(&path.display().to_string(), &project.read_text(path, INPUTS)?).map_err(CommandError::Refused)?,

@@ -22,8 +22,7 @@ pub fn read_text(path: &Path, from: &Path, at_most: u64) -> Result<String, Comma
 pub struct CsvOutput<W: Write>(csv::Writer<W>);
 
 impl<W: Write> CsvOutput<W> {
-    /// `header` is the columns' names with commas between: a field of a row may hold several cells, so that the fields' names do
-    /// not serve.
+    /// `header` is the columns' names with commas between: a field of a row may hold several cells, so that the fields' names do not serve.
     pub fn new(out: W, header: &str) -> io::Result<Self> {
         let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(out);
         writer.write_record(header.split(',')).map_err(plain)?;

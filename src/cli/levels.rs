@@ -32,8 +32,7 @@ pub struct CheckArgs {
     pub levels: Vec<OsString>,
 }
 
-/// Results go to `out`, problems and warnings to standard error.
-/// Errors: a level that does not exist, or no level at all; nothing is checked then.
+/// Results go to `out`, problems and warnings to standard error. Errors: a level that does not exist, or no level at all; nothing is checked then.
 pub fn check_levels(args: &CheckArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     check(args, project, out, &mut Readers::of(io::stderr().lock()))
 }
@@ -189,8 +188,7 @@ pub struct EditArgs {
     pub original: bool,
 }
 
-/// Returns when the window is closed.
-/// Errors: no such level; no display.
+/// Returns when the window is closed. Errors: no such level; no display.
 #[cfg(feature = "window")]
 pub fn edit_level(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
     use crate::screens::Editor;

@@ -31,8 +31,7 @@ pub struct PlayArgs {
     pub inputs: Option<PathBuf>,
 }
 
-/// Returns when the window is closed.
-/// Errors: a refused level or inputs; a missing folder of levels; no display.
+/// Returns when the window is closed. Errors: a refused level or inputs; a missing folder of levels; no display.
 #[cfg(feature = "window")]
 pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
     // A level that is named needs no others beside it.

@@ -17,10 +17,9 @@ pub struct Project {
 }
 
 impl Project {
-    /// `data` if it is given; else the program's folder, where a file `portable` lies in it; else the working directory or the first
-    /// folder above it with the levels of a game; else the system's folders for the user's files, or the working directory where it
-    /// has none.
-    /// Errors: `data` is no folder.
+    /// `data` if it is given; else the program's folder, where a file `portable` lies in it; else the working directory or the first folder above it
+    /// with the levels of a game; else the system's folders for the user's files, or the working directory where it has none. Errors: `data` is no
+    /// folder.
     pub fn find(data: Option<&Path>) -> Result<Self, CommandError> {
         if let Some(data) = data {
             return if data.is_dir() {

@@ -22,8 +22,7 @@ use std::path::{Path, PathBuf};
 const DEFAULT_SECONDS: f64 = 10.0;
 /// Hz.
 const RATES: RangeInclusive<f64> = 30.0..=480.0;
-/// A time this little above a whole number of ticks is that number, ticks: 0.1 s is no binary number. Larger, and a run could end
-/// visibly early.
+/// A time this little above a whole number of ticks is that number, ticks: 0.1 s is no binary number. Larger, and a run could end visibly early.
 const WHOLE_TICK: f64 = 1e-6;
 
 #[derive(clap::Args, Debug)]

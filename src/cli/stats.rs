@@ -39,8 +39,7 @@ struct StatsRow<'a> {
     judged: [Option<usize>; 4],
 }
 
-/// Tables go to `out`, unreadable rows and files to standard error.
-/// Errors: a path that is not there; a file of sums that cannot be written.
+/// Tables go to `out`, unreadable rows and files to standard error. Errors: a path that is not there; a file of sums that cannot be written.
 pub fn run(args: &StatsArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let own = [project.scores(), project.root().join("results")];
     let paths: Vec<PathBuf> =
@@ -96,8 +95,7 @@ struct Lists {
 }
 
 impl Lists {
-    /// Takes a list, or all in a folder at any depth. Hidden files and folders, whose names begin
-    /// with a point, are no pupil's.
+    /// Takes a list, or all in a folder at any depth. Hidden files and folders, whose names begin with a point, are no pupil's.
     fn gather(&mut self, from: &Path) {
         let mut waiting = vec![from.to_path_buf()];
         while let Some(path) = waiting.pop() {

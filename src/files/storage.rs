@@ -188,8 +188,7 @@ fn changed(_: &Metadata) -> u64 {
 /// A write takes milliseconds: a process that holds a lock for longer hangs.
 pub const PATIENCE: Duration = Duration::from_secs(2);
 
-/// Between two looks at a held lock. Where many processes save without end, each gets its turn by luck: with longer pauses some
-/// would come too late.
+/// Between two looks at a held lock. Where many processes save without end, each gets its turn by luck: with longer pauses some would come too late.
 const PAUSE: Duration = Duration::from_millis(1);
 
 /// Held until the value is dropped.

@@ -87,9 +87,8 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// `file` is the file's name in messages.
-    /// Errors: a missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is neither 0 nor 1, more than
-    /// [`MOST_TICKS`] in all.
+    /// `file` is the file's name in messages. Errors: a missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is
+    /// neither 0 nor 1, more than [`MOST_TICKS`] in all.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let columns: Vec<&str> = HEADER.split(',').collect();
         let mut rows = CsvFile { name: file, columns: &columns, comments: true }.rows_of::<InputRow>(text.as_bytes());

@@ -166,8 +166,7 @@ pub(super) fn thousandths(seconds: f64) -> u64 {
 }
 
 impl Replay {
-    /// `file` is the file's name in messages.
-    /// Errors: as [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
+    /// `file` is the file's name in messages. Errors: as [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let mut notes = ReplayNotes::of(file, text);
         let program = notes.find("program", tr("a program's name and version"), |text| Some(text.to_owned()));

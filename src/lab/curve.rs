@@ -141,8 +141,7 @@ pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     errors.into_iter().reduce(larger).unwrap_or(f64::NAN)
 }
 
-/// Thinned out, evenly spaced; the last moment stays. Each takes the largest error since the one before, and the energy furthest from
-/// 1.
+/// Thinned out, evenly spaced; the last moment stays. Each takes the largest error since the one before, and the energy furthest from 1.
 pub fn sampled(moments: impl Iterator<Item = CoursePoint>) -> Vec<CoursePoint> {
     let all: Vec<CoursePoint> = moments.collect();
     let every = all.len().div_ceil(MOMENTS).max(1);

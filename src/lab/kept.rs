@@ -1,9 +1,8 @@
 //! The charts that come with the game, as its authors measured them: the files of `docs/charts`. The game shows them where
 //! `resultant chart` has not been run.
 //!
-//! Other engines' points, from the file that `benches/peers` wrote: the same scenes, measured on one machine in one run. A scene of
-//! the lab gets their points into its diagram, a curve for each version and setting. Scenes that no method by hand could run make
-//! diagrams of their own.
+//! Other engines' points, from the file that `benches/peers` wrote: the same scenes, measured on one machine in one run. A scene of the lab gets
+//! their points into its diagram, a curve for each version and setting. Scenes that no method by hand could run make diagrams of their own.
 
 use super::TOLERANCE;
 use super::charts::Charts;
@@ -180,8 +179,7 @@ pub fn add_peers(peers: &[PeerRow], diagrams: &mut Vec<Measured>) -> Result<(), 
     Ok(())
 }
 
-/// The legend of a curve: the engine with its version and settings, of which a frequency is the stiffness of contacts; ours needs
-/// neither.
+/// The legend of a curve: the engine with its version and settings, of which a frequency is the stiffness of contacts; ours needs neither.
 fn curve_name(row: &PeerRow, sleeps: bool) -> String {
     if row.ours() {
         return row.engine.clone();

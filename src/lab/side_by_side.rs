@@ -1,5 +1,4 @@
-//! Methods on the same scene at the same time, to be watched: boxes that move, a step at a time, and their exact places; without
-//! their drawing.
+//! Methods on the same scene at the same time, to be watched: boxes that move, a step at a time, and their exact places; without their drawing.
 
 use super::contract::{By, Model, contenders};
 use super::methods::chain::Chain;

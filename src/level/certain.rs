@@ -94,8 +94,7 @@ fn weak_engine(level: &Checked) -> Vec<Problem> {
     vec![level.ship.problem("thrust", found, tr("more than that, as nothing in the level lifts the ship"))]
 }
 
-/// Plates that take more than all masses and the thrust together. A mover, a belt, a link, a wind, a zone or a liquid presses without such
-/// a bound.
+/// Plates that take more than all masses and the thrust together. A mover, a belt, a link, a wind, a zone or a liquid presses without such a bound.
 fn heavy_plates(level: &Checked) -> Vec<Problem> {
     let (draft, ship) = (level.draft, &level.ship.item);
     if draft.is_driven() || draft.has_currents() || draft.settings.row.gravity_x != 0.0 {

@@ -17,8 +17,7 @@ pub const BACKGROUND: &str = "background.png";
 
 /// A level's folder and its project, as the loader asks for their files.
 pub trait Files {
-    /// A file of the level folder, by name.
-    /// Errors: [`io::ErrorKind::NotFound`] where there is none; any other where it cannot be read.
+    /// A file of the level folder, by name. Errors: [`io::ErrorKind::NotFound`] where there is none; any other where it cannot be read.
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>>;
 
     /// A file of the project, by its path from the project's folder with forward slashes.

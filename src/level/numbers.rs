@@ -73,8 +73,7 @@ impl NumberRange {
         Self::new(low, high, unit)
     }
 
-    /// The number that a cell holds.
-    /// Errors: the text is no finite number, or it lies outside the range; the number that is expected instead.
+    /// The number that a cell holds. Errors: the text is no finite number, or it lies outside the range; the number that is expected instead.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let value = number(text)?;
         self.judge(value).map(|()| value)
@@ -203,8 +202,7 @@ impl PixelScale {
         self.rectangle(min, max)
     }
 
-    /// A rectangle between two opposite corners in pixels. Each edge is scaled by itself, so that edges which share a pixel share
-    /// every bit.
+    /// A rectangle between two opposite corners in pixels. Each edge is scaled by itself, so that edges which share a pixel share every bit.
     pub fn rectangle(&self, a: DVec2, b: DVec2) -> Aabb {
         Aabb::new(a.min(b) / self.metre, a.max(b) / self.metre)
     }

@@ -59,9 +59,8 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }
 
-/// As [`read()`], of an unfinished level: a ship and a size are enough. A row that cannot be read or placed is left out, an object whose
-/// picture is missing is a box, and the problems stand among the warnings.
-/// Errors: every problem of a level without a ship, a place for it or a size.
+/// As [`read()`], of an unfinished level: a ship and a size are enough. A row that cannot be read or placed is left out, an object whose picture is
+/// missing is a box, and the problems stand among the warnings. Errors: every problem of a level without a ship, a place for it or a size.
 pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     let Gathered { background, mut draft, dialects, mut problems, mut warnings, .. } = gather(files, true);
     problems.extend(names::check(&draft));

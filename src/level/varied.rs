@@ -11,8 +11,7 @@ use super::types::{Level, Mover, SHIP_HALF};
 use crate::physics::{Aabb, BodyId, DVec2, Sides, WorldDef};
 use crate::words::tr;
 
-/// The level with other numbers, judged by the loader's rules.
-/// Errors: every number that is not accepted, by file and column, with line 0.
+/// The level with other numbers, judged by the loader's rules. Errors: every number that is not accepted, by file and column, with line 0.
 pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<Problem>> {
     let mut problems = Vec::new();
     let mut refuse = |parameter: Parameter, found: String, expected: String| {
@@ -90,8 +89,7 @@ fn problems_of_places(level: &Level) -> bool {
 }
 
 impl Document {
-    /// Writes the parameters of a varied level into the cells of its files.
-    /// Errors: as [`Document::set`]; a body or stream without a row.
+    /// Writes the parameters of a varied level into the cells of its files. Errors: as [`Document::set`]; a body or stream without a row.
     pub fn vary(&mut self, varied: &Level, parameters: &[Parameter], gesture: Option<u64>) -> Result<(), String> {
         let mut cells = Vec::new();
         let twice = |of: &&Parameter| matches!(of, Parameter::Stream(_)) && parameters.contains(&Parameter::Wind);

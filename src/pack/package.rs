@@ -2,8 +2,7 @@
 //!
 //! The flights in a level's folder are flown again in the level as it is.
 //!
-//! The memory of a packed level, before it is unpacked: by the sizes in the archive, to which reading holds it, and by its
-//! pictures' heads.
+//! The memory of a packed level, before it is unpacked: by the sizes in the archive, to which reading holds it, and by its pictures' heads.
 
 use super::path;
 use crate::files::{self, Symlinks, read_text};
@@ -47,10 +46,8 @@ pub(super) fn limit(path: &str) -> Option<u64> {
     }
 }
 
-/// The files of a level that can be handed on: tables, pictures wherever they lie, flights and notes; and the names of the other
-/// files in its folder.
-/// Errors: a level's name that no package can have; the level's problems; a file that cannot be read, or is a link; the errors of
-/// [`check`].
+/// The files of a level that can be handed on: tables, pictures wherever they lie, flights and notes; and the names of the other files in its folder.
+/// Errors: a level's name that no package can have; the level's problems; a file that cannot be read, or is a link; the errors of [`check`].
 pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), Vec<String>> {
     let name = files::resolve(folder).ok().as_deref().unwrap_or(folder).file_name().map(|name| name.to_string_lossy().into_owned());
     let name = name.unwrap_or_default();
@@ -286,13 +283,11 @@ fn earn(stem: &str, replay: Replay, level: &Arc<Level>) -> Result<Reached, (Stri
     Ok((goals, Some(proves)))
 }
 
-/// Bytes of memory a byte of a table, for reading, checks and building: `/usr/bin/time` shows 29 for tables of solids and objects
-/// at their limits.
+/// Bytes of memory a byte of a table, for reading, checks and building: `/usr/bin/time` shows 29 for tables of solids and objects at their limits.
 const TABLE: u64 = 32;
 /// Bytes of memory a byte of a flight, with some room. Only one flight is in memory at a time.
 const EACH_FLIGHT: u64 = 6;
-/// Bytes a pixel: unpacked, as a texture and as a graphics driver's copy, 4 bytes each; or at 16 bits a channel while it is
-/// unpacked.
+/// Bytes a pixel: unpacked, as a texture and as a graphics driver's copy, 4 bytes each; or at 16 bits a channel while it is unpacked.
 const PIXEL: u64 = 12;
 const DEEP_PIXEL: u64 = 8;
 /// A PNG's first bytes; then length and name of its head, width and height.

@@ -71,8 +71,7 @@ impl fmt::Display for Doubt {
     }
 }
 
-/// How each row of a level's board stands; the error says why the level does not load. `watch` is called after each tick, with the
-/// row's index.
+/// How each row of a level's board stands; the error says why the level does not load. `watch` is called after each tick, with the row's index.
 pub fn judge(
     scores: &Scores,
     name: &str,

@@ -300,8 +300,7 @@ impl Results {
         self.folder.join(format!("{player}{more}.csv"))
     }
 
-    /// Adds the rows of a player.
-    /// Errors: a file that is no list of answers; see [`crate::files::SaveError`].
+    /// Adds the rows of a player. Errors: a file that is no list of answers; see [`crate::files::SaveError`].
     pub fn append(&self, rows: &[ResultRow]) -> Result<(), ScoresError> {
         let Some(first) = rows.first() else { return Ok(()) };
         let lines: String = rows.iter().map(folder::line).collect();

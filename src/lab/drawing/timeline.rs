@@ -1,5 +1,4 @@
-//! A scene over time: the error of every method above, the kept energy below. The picture of `resultant chart`, with one method
-//! picked out.
+//! A scene over time: the error of every method above, the kept energy below. The picture of `resultant chart`, with one method picked out.
 //!
 //! The axes of a scene over time: error upwards in decades, energy in parts of what it should be, both above the same time. A
 //! moment lies at parts of the axes, 0 … 1, so that paper and screen draw the same.

@@ -1,5 +1,4 @@
-//! Elastic collisions along a line. Of a cradle of n equal blocks the last one leaves with the first
-//! one's velocity and all others stand still.
+//! Elastic collisions along a line. Of a cradle of n equal blocks the last one leaves with the first one's velocity and all others stand still.
 //!
 //! A fast box against a thin obstacle. Exact: it never gets through.
 

@@ -110,8 +110,7 @@ mod tests {
     use super::*;
     use crate::lab::methods::motion::{explicit_euler, rk4, velocity_verlet, yoshida};
 
-    /// Verlet's energy on a spring stays within (ωh)²/4 of the right one for ever (Hairer, Lubich, Wanner, I.5); RK4's fades by
-    /// (ωh)⁶/72 a step.
+    /// Verlet's energy on a spring stays within (ωh)²/4 of the right one for ever (Hairer, Lubich, Wanner, I.5); RK4's fades by (ωh)⁶/72 a step.
     #[test]
     fn symplectic_methods_keep_the_energy_that_others_lose() {
         let (h, seconds) = (1.0 / 60.0, PERIODS * period());

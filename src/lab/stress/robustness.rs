@@ -174,8 +174,7 @@ fn naively(body: &BodyDef) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// Whether a nonsense body does no harm by hand: for ten seconds over a floor its numbers stay finite and it is never faster than
-/// after its fall.
+/// Whether a nonsense body does no harm by hand: for ten seconds over a floor its numbers stay finite and it is never faster than after its fall.
 pub fn naive_takes(body: &BodyDef) -> bool {
     let fastest = FASTER * (body.velocity.length_squared() + 2.0 * G * NONSENSE_HEIGHT).sqrt();
     naively(body).all(|(height, speed)| height.is_finite() && speed <= fastest)

@@ -72,8 +72,7 @@ impl Document {
         self.add_in(&[NewRow { kind: Kind::Link, cells }], Some(gesture))
     }
 
-    /// The cells that lead an end of a link, 0 or 1, to the body at a place, pixels, or to that place.
-    /// Errors: as [`Document::link`].
+    /// The cells that lead an end of a link, 0 or 1, to the body at a place, pixels, or to that place. Errors: as [`Document::link`].
     pub fn led(&self, row: RowId, end: usize, to: DVec2) -> Result<Vec<SetCell>, String> {
         let ([text], mut cells) = self.ends_at([to]);
         let mut ends = ENDS.map(|column| self.cell(row, column).unwrap_or_default().to_owned());
