@@ -3,13 +3,13 @@
 
 use super::draft::Draft;
 use super::problem::Problem;
-use super::reach::{CentredBox, FreeSpace, grown};
+use super::reach::{CentredBox, grown};
 use super::schema::typed::FromRow;
-use super::types::{BURN_RATE, LevelLink, Objective, ObjectiveKind, Presser, SHIP_HALF, ShipStart, Switch};
-use super::winnable::Goal;
+use super::types::{LevelLink, Objective, ObjectiveKind, Presser, SHIP_HALF, Switch};
+use super::winnable::{Checked, Goal, LIVELY};
 use super::{gates, types};
 use crate::number::{fixed, trimmed};
-use crate::physics::{Aabb, BodyId, DVec2, LinkEnd, LinkLaw, Material, Spring};
+use crate::physics::{Aabb, DVec2, LinkEnd, LinkLaw};
 use crate::words::tr;
 use std::collections::BTreeMap;
 
@@ -19,9 +19,6 @@ const LIKE_PIXELS: f64 = 40.0;
 const THROWN_LIKE_PIXELS: f64 = 80.0;
 /// How far beyond its bound a body has to go before that is certain: the bounds leave out how pushes and hops share out the energy.
 const MARGIN: f64 = 4.0;
-/// From this restitution on a bounce lasts too long for a bound.
-const LIVELY: f64 = 0.9;
-
 pub(super) fn warn(level: &Checked) -> Vec<Problem> {
     const CHECKS: [fn(&Checked) -> Vec<Problem>; 11] = [
         same_turns,
@@ -37,15 +34,6 @@ pub(super) fn warn(level: &Checked) -> Vec<Problem> {
         unmet,
     ];
     CHECKS.iter().flat_map(|check| check(level)).collect()
-}
-
-/// A level of which nothing is refused.
-pub(super) struct Checked<'a> {
-    pub draft: &'a Draft,
-    pub ship: &'a FromRow<ShipStart>,
-    /// Of the level, m.
-    pub size: DVec2,
-    pub space: &'a FreeSpace,
 }
 
 /// Objectives with the same turn: the rules let these be met in any order, which an author seldom wants.
@@ -222,107 +210,7 @@ fn tied(level: &Checked, pad: &FromRow<Objective>) -> Option<Problem> {
         })
     };
     let goal = Goal::from(&pad.item);
-    let tethers = goal.bodies(level.draft, level.ship_box()).map(tether).collect::<Option<Vec<_>>>()?;
+    let tethers = goal.bodies(level).map(tether).collect::<Option<Vec<_>>>()?;
     let found = tr!("a link too short for the objective of line {line}, for which nothing can stretch it", line = pad.line);
     Some(tethers.first()?.problem("length", found, tr("one that lets its body get there")))
-}
-
-/// What the bodies of a level can come to.
-impl Checked<'_> {
-    pub fn ship_box(&self) -> CentredBox {
-        (self.ship.item.position, SHIP_HALF)
-    }
-
-    /// Streams and gravity zones: where they are, their force on the ship, N, and whether a switch may stop them.
-    pub fn zones(&self) -> impl Iterator<Item = (Aabb, DVec2, bool)> {
-        let streams = self.draft.streams.iter().map(|stream| (stream.item.zone, stream.item.force, stream.item.name.is_some()));
-        let fields = self.draft.fields.iter().map(|field| (field.item.zone, field.item.strength * self.ship.item.mass, false));
-        streams.chain(fields)
-    }
-
-    fn masses(&self) -> impl Iterator<Item = f64> {
-        [self.ship.item.mass].into_iter().chain(self.draft.objects.iter().map(|object| object.item.mass))
-    }
-
-    fn centre(&self, body: BodyId) -> DVec2 {
-        body.index().checked_sub(1).map_or(self.ship.item.position, |object| self.draft.objects[object].item.position)
-    }
-
-    fn materials(&self) -> impl Iterator<Item = &Material> {
-        let solids = self.draft.world.iter().chain(&self.draft.doors).map(|solid| &solid.item.material);
-        let bodies = self.draft.objects.iter().map(|object| &object.item.material);
-        solids.chain(bodies).chain([&self.ship.item.material, &Material::ASPHALT])
-    }
-
-    /// The largest of the level.
-    fn restitution(&self) -> f64 {
-        let own = self.draft.objects.iter().map(|object| object.item.restitution).chain([self.ship.item.restitution]);
-        own.chain(self.materials().map(|material| material.restitution)).fold(0.0, f64::max)
-    }
-
-    /// The smallest coefficient of kinetic friction of the level.
-    fn friction(&self) -> f64 {
-        self.draft.settings.row.friction * self.materials().map(|material| material.kinetic_friction).fold(f64::INFINITY, f64::min)
-    }
-
-    /// The energy, J, that all bodies have at most at any time, but for an object that stays where it is: theirs at the start, and the work
-    /// of the engine. With d√E/dt ≤ thrust/√(2·mass) that work has a bound in vacuum; in air, F·v − k·v³ has a maximum.
-    /// `None` where something else does work.
-    fn energy(&self, but: Option<usize>) -> Option<f64> {
-        let Self { draft, ship: FromRow { item: ship, .. }, size, .. } = self;
-        let settings = &draft.settings.row;
-        let moved = !draft.movers.is_empty() || draft.world.iter().any(|block| block.item.belt != 0.0) || draft.has_currents();
-        if moved || settings.gravity_x != 0.0 || settings.gravity <= 0.0 {
-            return None;
-        }
-        let stored = draft.links.iter().map(|link| self.stored(&link.item.bind(&draft.objects)?)).sum::<Option<f64>>()?;
-        let of = |mass: f64, at: DVec2, v: DVec2| mass * (0.5 * v.length_squared() + settings.gravity * (size.y - at.y).max(0.0));
-        let objects = draft.objects.iter().enumerate().filter(|(index, _)| Some(*index) != but);
-        let start = stored
-            + of(ship.mass, ship.position, ship.velocity)
-            + objects.map(|(_, body)| of(body.item.mass, body.item.position, body.item.velocity)).sum::<f64>();
-        let burns = (ship.fuel + draft.pods.iter().map(|pod| pod.item.fuel).sum::<f64>()) / BURN_RATE;
-        let vacuum = (start.sqrt() + ship.thrust * burns / (2.0 * ship.mass).sqrt()).powi(2);
-        // The least drag of the ship at 1 m/s, N.
-        let air = if ship.feels_air { settings.air_density } else { 0.0 };
-        let drag = 0.5 * air * ship.drag * 2.0 * SHIP_HALF.min_element();
-        let power = 2.0 / 3.0 * ship.thrust * (ship.thrust / (3.0 * drag)).sqrt();
-        Some(if drag > 0.0 { vacuum.min(start + power * burns) } else { vacuum })
-    }
-
-    /// The energy of a link at the start, J; `None` where it may do more work than that.
-    fn stored(&self, LevelLink { def, name }: &LevelLink) -> Option<f64> {
-        let works = self.draft.switches.iter().flat_map(|switch| &switch.item.works);
-        let worked = name.iter().flat_map(|name| name.split('&')).any(|name| works.clone().any(|work| work.name == name));
-        let (LinkLaw::Spring(Spring { length, stiffness, .. }) | LinkLaw::Rope(Spring { length, stiffness, .. })) = def.law else {
-            return None;
-        };
-        let to = match def.to {
-            LinkEnd::Place(place) => place,
-            LinkEnd::Body(body) => self.centre(body),
-        };
-        let over = if def.as_found { 0.0 } else { self.centre(def.body).distance(to) - length };
-        (def.rate == 0.0 && !def.hook && !worked).then_some(0.5 * stiffness * over * over)
-    }
-
-    /// N·s, friction with it. Of a ship alone by its speeds, of several bodies by all their energy: Σ m·v ≤ √(2·E·Σm).
-    fn blow(&self) -> Option<f64> {
-        let restitution = self.restitution();
-        let fastest = |side: DVec2| Some(self.run(side)?.max(self.run(-side)?));
-        let alone = || Some((2.0 * self.ship.item.mass * (fastest(DVec2::X)? + fastest(DVec2::Y)?)).sqrt());
-        let energy = || Some((2.0 * self.energy(None)? * self.masses().sum::<f64>()).sqrt());
-        let least = alone().into_iter().chain(energy()).min_by(f64::total_cmp)?;
-        (restitution < LIVELY).then_some((1.0 + restitution) / (1.0 - restitution) * least)
-    }
-
-    /// The kinetic energy, J, that a ship alone has at most along one axis to one side: such a run begins at rest or at the start, and is as
-    /// long as the level. `None` where it may be thrown.
-    pub fn run(&self, side: DVec2) -> Option<f64> {
-        let Self { draft, ship: FromRow { item: ship, .. }, size, .. } = self;
-        let alone = draft.objects.is_empty() && !draft.is_driven() && draft.fluids.is_empty() && self.restitution() == 0.0;
-        let zones: f64 = self.zones().map(|(_, force, _)| force.dot(side).max(0.0)).sum();
-        let weight = ship.mass * DVec2::new(draft.settings.row.gravity_x, draft.settings.row.gravity).dot(side).max(0.0);
-        let start = 0.5 * ship.mass * ship.velocity.dot(side).max(0.0).powi(2);
-        alone.then(|| start + (ship.thrust + zones + weight) * size.dot(side.abs()))
-    }
 }

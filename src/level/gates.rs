@@ -1,13 +1,12 @@
 //! Warnings of doors that no body can open and of pads behind red, one-way blocks and winds. A doubtful route counts as possible: a body gets
 //! anywhere in its own free space, and fragile blocks and movers are no obstacles.
 
-use super::certain::Checked;
 use super::draft::Draft;
 use super::numbers::MIN_SIZE;
 use super::problem::Problem;
-use super::reach::{CentredBox, FreeSpace, grown, shared};
+use super::reach::{FreeSpace, grown, shared};
 use super::types::{SHIP_HALF, SwitchStay};
-use super::winnable::Goal;
+use super::winnable::{Checked, Goal};
 use super::wiring::{SwitchesByName, Wire, Worked};
 use crate::physics::{Aabb, DVec2, Sides};
 use crate::words::tr;
@@ -30,49 +29,53 @@ pub(super) fn warn(level: &Checked) -> Vec<Problem> {
     let past_doors = gates.spaces([&all, &all], &gates.shut);
     let held = gates.spaces([&gates.open, &gates.open], &gates.shut);
     let last = gates.spaces([&gates.passed, &gates.open], &gates.shut);
-    let gets = |goal: &Goal, [ships, others]: [&FreeSpace; 2]| goal.gets(draft, gates.ship, [ships, others]) != [false; 2];
-    let red_alone = tr("a route for the ship that keeps off the rows of obstacles.csv");
-    let around = tr("a route to it along which nothing stops what comes from the start");
-    let stays = tr("a switch that stays on or lies beside its door, or something else that holds it");
-    let mut warnings = Vec::new();
-    for (index, switch) in draft.switches.iter().enumerate().filter(|(index, _)| !gates.pressed[*index]) {
-        let goal = Goal::from(&switch.item);
-        let (found, expected) = if !gets(&goal, [space; 2]) {
-            (tr("a switch that nothing which works it gets to").to_owned(), tr("free space from the start of what works it"))
-        } else if !gets(&goal, [&off_red[0], space]) {
-            (tr("a switch that the ship gets to through red alone").to_owned(), red_alone)
-        } else if !gets(&goal, past_doors.each_ref()) {
-            (tr("a switch behind a one-way block or a wind that lets nothing through").to_owned(), around)
-        } else if gets(&goal, held.each_ref()) {
-            (tr("a switch behind a door that closes before the ship gets there").to_owned(), stays)
-        } else {
-            let own = (0..gates.open.len()).find(|&door| !gates.open[door] && gates.opens(index, door));
-            let whose = own.map_or_else(
-                || tr("a door that nothing opens").to_owned(),
-                |door| tr!("its own door, line {line} of doors.csv", line = draft.doors[door].line),
-            );
-            (tr!("a switch behind {whose}", whose), tr("a route to it that needs no closed door, or another switch for the door"))
-        };
-        warnings.push(switch.problem("x", found, expected));
-    }
-    for pad in &draft.objectives {
-        let goal = Goal::from(&pad.item);
-        if gets(&goal, last.each_ref()) {
-            continue;
+    let gets = |goal: &Goal, spaces: [&FreeSpace; 2]| goal.gets(level, spaces) != [false; 2];
+    // What keeps all from a goal, and what it takes instead.
+    let barred = |goal: &Goal| {
+        let in_turn = [[space; 2], [&off_red[0], space], past_doors.each_ref()];
+        let first = in_turn.into_iter().position(|spaces| !gets(goal, spaces));
+        first.unwrap_or(if gets(goal, held.each_ref()) { 3 } else { 4 })
+    };
+    let expected = [
+        tr("free space from the start of what works it"),
+        tr("a route for the ship that keeps off the rows of obstacles.csv"),
+        tr("a route to it along which nothing stops what comes from the start"),
+        tr("a switch that stays on or lies beside its door, or something else that holds it"),
+    ];
+    let pressed = draft.switches.iter().enumerate().filter(|(index, _)| !gates.pressed[*index]);
+    let switches = pressed.map(|(index, switch)| {
+        let cause = barred(&Goal::from(&switch.item));
+        let found = [
+            tr("a switch that nothing which works it gets to"),
+            tr("a switch that the ship gets to through red alone"),
+            tr("a switch behind a one-way block or a wind that lets nothing through"),
+            tr("a switch behind a door that closes before the ship gets there"),
+        ];
+        if let (Some(found), Some(expected)) = (found.get(cause), expected.get(cause)) {
+            return switch.problem("x", *found, *expected);
         }
-        let (found, expected) = if !gets(&goal, [&off_red[0], space]) {
-            (tr("an objective that the ship gets to through red alone"), red_alone)
-        } else if !gets(&goal, past_doors.each_ref()) {
-            (tr("an objective behind a one-way block or a wind that lets nothing through"), around)
-        } else if gets(&goal, held.each_ref()) {
-            (tr("an objective behind a door that closes before the ship gets there"), stays)
-        } else {
-            let expected = tr("a switch in reach for each door on the route, or a route around");
-            (tr("an objective behind a door that nothing opens"), expected)
-        };
-        warnings.push(pad.problem("x", found, expected));
-    }
-    warnings
+        let own = (0..gates.open.len()).find(|&door| !gates.open[door] && gates.opens(index, door));
+        let whose = own.map_or_else(
+            || tr("a door that nothing opens").to_owned(),
+            |door| tr!("its own door, line {line} of doors.csv", line = draft.doors[door].line),
+        );
+        let route = tr("a route to it that needs no closed door, or another switch for the door");
+        switch.problem("x", tr!("a switch behind {whose}", whose), route)
+    });
+    let unmet = draft.objectives.iter().filter(|pad| !gets(&Goal::from(&pad.item), last.each_ref()));
+    let pads = unmet.map(|pad| {
+        let cause = barred(&Goal::from(&pad.item));
+        let found = [
+            tr("an objective that the ship cannot get to"),
+            tr("an objective that the ship gets to through red alone"),
+            tr("an objective behind a one-way block or a wind that lets nothing through"),
+            tr("an objective behind a door that closes before the ship gets there"),
+            tr("an objective behind a door that nothing opens"),
+        ];
+        let route = tr("a switch in reach for each door on the route, or a route around");
+        pad.problem("x", found[cause], *expected.get(cause).unwrap_or(&route))
+    });
+    switches.chain(pads).collect()
 }
 
 /// A line that lets bodies through to one side alone.
@@ -125,9 +128,8 @@ const NARROWER: f64 = SHIP_HALF.x - 0.45;
 
 /// A level's gates, and what is known of them, from less to more.
 struct Gates<'a> {
+    level: &'a Checked<'a>,
     draft: &'a Draft,
-    space: &'a FreeSpace,
-    ship: CentredBox,
     /// Of each door.
     wires: Vec<Option<Wire>>,
     valves: Vec<Valve>,
@@ -144,14 +146,13 @@ struct Gates<'a> {
 }
 
 impl<'a> Gates<'a> {
-    fn new(level: &Checked<'a>, valves: Vec<Valve>) -> Self {
+    fn new(level: &'a Checked<'a>, valves: Vec<Valve>) -> Self {
         let draft = level.draft;
         let switches = SwitchesByName::new(draft.switches.iter().map(|switch| &switch.item));
         let doors = draft.doors.iter().enumerate();
         Self {
+            level,
             draft,
-            space: level.space,
-            ship: level.ship_box(),
             wires: doors.map(|(index, door)| switches.wire(door.item.name.as_deref()?, Worked::Door(index))).collect(),
             pressed: vec![false; draft.switches.len()],
             lasting: draft.switches.iter().map(|switch| switch.item.latch != SwitchStay::Held).collect(),
@@ -175,7 +176,7 @@ impl<'a> Gates<'a> {
             doors.map(|(door, _)| door.item.bounds).chain(valves.map(|(valve, _)| valve.line))
         };
         let red = self.draft.obstacles.iter().map(|red| grown(&red.item, DVec2::splat(-NARROWER)));
-        [self.space.with(closed(true).chain(red)), self.space.with(closed(false))]
+        [self.level.space.with(closed(true).chain(red)), self.level.space.with(closed(false))]
     }
 
     /// From the switches in reach at the start, door after door.
@@ -183,7 +184,7 @@ impl<'a> Gates<'a> {
         let draft = self.draft;
         let objects = draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5));
         // An object in its way keeps a door open.
-        let room = |door: &Aabb| Some(beside(door)).filter(|_| !objects.clone().any(|body| self.space.gets_to(body, door)));
+        let room = |door: &Aabb| Some(beside(door)).filter(|_| !objects.clone().any(|body| self.level.space.gets_to(body, door)));
         let rooms: Vec<Option<Aabb>> = draft.doors.iter().map(|door| room(&door.item.bounds)).collect();
         let mut news = true;
         while news {
@@ -199,14 +200,14 @@ impl<'a> Gates<'a> {
                 if self.lasting[index] && self.pressed[index] {
                     continue;
                 }
-                let [by_ship, by_others] = Goal::from(&switch.item).gets(draft, self.ship, [&ships, &others]);
+                let [by_ship, by_others] = Goal::from(&switch.item).gets(self.level, [&ships, &others]);
                 news |= (by_ship || by_others) && !self.pressed[index] || by_others && !self.lasting[index];
                 self.pressed[index] |= by_ship || by_others;
                 self.lasting[index] |= by_others;
             }
             for (valve, shut) in self.valves.iter().zip(&mut self.shut).filter(|(_, shut)| **shut) {
                 let past = |body| !valve.of_ship && others.gets_to(body, &valve.behind);
-                *shut = !ships.gets_to(self.ship, &valve.behind) && !objects.clone().any(past);
+                *shut = !ships.gets_to(self.level.ship_box(), &valve.behind) && !objects.clone().any(past);
                 news |= !*shut;
             }
         }

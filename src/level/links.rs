@@ -4,10 +4,10 @@
 
 use super::draft::Draft;
 use super::problem::{MOST_PROBLEMS, Problem, at_most, meant, quoted};
+use super::schema::blocks::MOST_LINKS;
 use super::schema::typed::FromRow;
 use super::schema::values::LinkRowEnd;
 use super::types::{LevelLink, SHIP_HALF, ShipStart};
-use super::unbound::MOST_LINKS;
 use crate::physics::domain::{MOST_ACCELERATION, MOST_DAMPING, MOST_STIFFNESS};
 use crate::physics::{BodyId, DVec2, LinkDef, LinkEnd, LinkLaw};
 use crate::words::tr;

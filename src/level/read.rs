@@ -1,16 +1,15 @@
 //! A level folder's files, put together: a valid level, or all its problems.
 
-use super::certain::Checked;
-use super::draft::Draft;
+use super::draft::{Draft, LevelReader};
 use super::image::{BACKGROUND, Files, png_size};
 use super::names::{self, Stray};
 use super::problem::{MOST_PROBLEMS, Problem, too_many};
 use super::reach::SearchWork;
-use super::reader::LevelReader;
 use super::schema::settings::{LevelSettings, SETTING, settings};
 use super::schema::{FILES, Table};
 use super::types::Level;
-use super::{certain, links, placement, winnable};
+use super::winnable::{self, Checked};
+use super::{certain, links, placement};
 use crate::physics::DVec2;
 use crate::words::tr;
 use std::io;
@@ -50,11 +49,12 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     warnings.extend(names::warn_of_texts(&draft, size));
     if let Some(ship) = &draft.player {
         let space = placement::space(&draft, size, work.clone());
-        let problems = winnable::check(&draft, &ship.item, &space);
+        let checked = Checked { draft: &draft, ship, size, space: &space };
+        let problems = winnable::check(&checked);
         if !problems.is_empty() {
             return refused(problems);
         }
-        warnings.extend(certain::warn(&Checked { draft: &draft, ship, size, space: &space }));
+        warnings.extend(certain::warn(&checked));
     }
     Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }

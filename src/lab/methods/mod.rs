@@ -6,7 +6,6 @@ pub mod chain;
 pub mod impact;
 pub mod motion;
 pub mod rules;
-pub mod slide;
 
 use motion::{
     ADAPTIVE, MotionStep, adaptive, exact_decay, explicit_euler, heun, implicit_euler, implicit_midpoint, linearised_drag,
