@@ -160,7 +160,7 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
         charts.savings = rows.collect();
     }
 
-    let charts = with_peers(charts, &peers)?;
+    add_peers(&peers, &mut charts.diagrams).map_err(CommandError::Refused)?;
     let files = all_files(&charts);
     save(dir, &files)?;
     for (name, _) in &files {
@@ -192,11 +192,6 @@ fn all_files(charts: &Charts) -> Vec<(String, String)> {
     files.push(("shipped.csv".to_owned(), shipped_csv(&charts.diagrams)));
     files.push(("summary.md".to_owned(), summary(charts, &regions)));
     files
-}
-
-fn with_peers(mut charts: Charts, peers: &[PeerRow]) -> Result<Charts, CommandError> {
-    add_peers(peers, &mut charts.diagrams).map_err(CommandError::Refused)?;
-    Ok(charts)
 }
 
 fn read_peers(dir: &Path) -> Result<Vec<PeerRow>, CommandError> {

@@ -1,13 +1,8 @@
 //! `resultant check [LEVEL…]`: loads levels, and says what is in them or everything that is wrong with them.
-//!
 //! `resultant new NAME [--show]` makes a level folder that loads, for an author to change.
-//!
 //! `resultant prove LEVEL REPLAY --as PRIZE`: makes a flight the proof of a medal.
-//!
 //! `resultant edit LEVEL`: opens the editor.
-//!
 //! `resultant pack` and `resultant unpack`: a level as one file, and back.
-//!
 //! `resultant import MAP`: a map of the editor Tiled becomes a level; with `--watch` again whenever it is saved.
 
 use super::project::Project;
@@ -34,10 +29,7 @@ pub struct CheckArgs {
 
 /// Results go to `out`, problems and warnings to standard error. Errors: a level that does not exist, or no level at all; nothing is checked then.
 pub fn check_levels(args: &CheckArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
-    check(args, project, out, &mut Readers::of(io::stderr().lock()))
-}
-
-fn check(args: &CheckArgs, project: &Project, out: &mut dyn Write, err: &mut dyn Write) -> Result<Status, CommandError> {
+    let err = &mut Readers::of(io::stderr().lock());
     let all = || level::list(&project.levels()).into_iter().map(OsString::from).collect();
     let names: Vec<OsString> = if args.levels.is_empty() { all() } else { args.levels.clone() };
     if names.is_empty() {

@@ -1,9 +1,6 @@
 //! `resultant` and `resultant play LEVEL`: opens the game.
-//!
 //! `resultant jumper`: a climb without a window.
-//!
 //! `resultant pi`: counts the collisions of two blocks and a wall.
-//!
 //! `resultant tiles`: runs a list of commands through a map of tiles.
 
 use super::project::Project;
@@ -15,7 +12,7 @@ use crate::files::{INPUTS, TILE_COMMANDS, TILE_MAP};
 use crate::game::TICK_RATE;
 use crate::number::Shortest;
 use std::ffi::OsString;
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -220,7 +217,8 @@ pub fn run_tiles(args: &TilesArgs, project: &Project, out: &mut dyn Write) -> Re
     for (frame, &command) in commands.iter().enumerate() {
         runner.frame(&map, command);
         if args.trace {
-            write_frame(out, frame, &runner)?;
+            let [x, y, vx, vy] = [runner.x, runner.y, runner.vx, runner.vy].map(Shortest);
+            writeln!(out, "{frame},{x},{y},{vx},{vy},{}", u8::from(runner.on_ground))?;
         }
     }
     let (column, row) = runner.tile();
@@ -230,9 +228,4 @@ pub fn run_tiles(args: &TilesArgs, project: &Project, out: &mut dyn Write) -> Re
 
 fn read<T>(project: &Project, path: &Path, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, CommandError> {
     parse(&project.read_text(path, at_most)?).map_err(|error| CommandError::Refused(format!("{}:{error}", path.display())))
-}
-
-fn write_frame(out: &mut dyn Write, frame: usize, runner: &Runner) -> io::Result<()> {
-    let [x, y, vx, vy] = [runner.x, runner.y, runner.vx, runner.vy].map(Shortest);
-    writeln!(out, "{frame},{x},{y},{vx},{vy},{}", u8::from(runner.on_ground))
 }

@@ -28,7 +28,8 @@ impl Project {
                 Err(CommandError::Refused(format!("--data {}: there is no such folder", data.display())))
             };
         }
-        let portable = program_folder().filter(|folder| files::is_file(&folder.join(PORTABLE)));
+        let program = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
+        let portable = program.filter(|folder| files::is_file(&folder.join(PORTABLE)));
         let working = std::env::current_dir().ok();
         let above = working.iter().flat_map(|folder| folder.ancestors().skip(1).map(Path::to_path_buf));
         let mut places = [PathBuf::from(".")].into_iter().chain(above);
@@ -107,10 +108,7 @@ impl Project {
         if is_name(path) && !files::is_taken(path) && files::is_file(&below) { below } else { path.to_path_buf() }
     }
 
-    /// Such a file's text. Messages name it as the user did.
-    ///
-    /// # Errors
-    /// It cannot be read, is no regular one, too large, or no UTF-8.
+    /// Such a file's text. Messages name it as the user did. Errors: it cannot be read, is no regular one, too large, or no UTF-8.
     pub fn read_text(&self, path: &Path, at_most: u64) -> Result<String, CommandError> {
         read_text(path, &self.input(path), at_most)
     }
@@ -156,10 +154,6 @@ fn is_name(path: &Path) -> bool {
 
 /// Beside the program, this file makes the program's folder the place of all files.
 const PORTABLE: &str = "portable";
-
-fn program_folder() -> Option<PathBuf> {
-    std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf))
-}
 
 /// Whether a folder's `levels/` is that of a game: another program's folder of that name holds no level.
 fn has_levels(folder: &Path) -> bool {

@@ -1,7 +1,5 @@
 //! `resultant verify`: flies recorded runs again and compares where they lead.
-//!
 //! `resultant verify --scores`: flies the flight of every row of every leaderboard again, and names the rows that do not hold.
-//!
 //! `resultant code`: a recorded flight as one line of text, which `resultant verify` and the game's list of flights take.
 
 use super::project::Project;

@@ -65,11 +65,8 @@ pub fn resolve(path: &Path) -> io::Result<PathBuf> {
     home().resolve(path)
 }
 
-/// At most `at_most` bytes. A file that the caller of the program has passed on open (`/dev/stdin`, `/dev/fd/3`) may be of any
-/// kind.
-///
-/// # Errors
-/// As [`Storage::read`].
+/// At most `at_most` bytes. A file that the caller of the program has passed on open (`/dev/stdin`, `/dev/fd/3`) may be of any kind. Errors: as
+/// [`Storage::read`].
 pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
     read_with(path, at_most, Symlinks::Followed)
 }
@@ -144,10 +141,7 @@ pub fn make_shared_folder(path: &Path) -> io::Result<()> {
     home().make_shared_folder(path)
 }
 
-/// As [`Storage::create_folder`].
-///
-/// # Errors
-/// [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the home's. Nothing is left behind then.
+/// As [`Storage::create_folder`]. Errors: [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the home's. Nothing is left behind then.
 pub fn create_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
     let mut fill = Some(fill);
     home().create_folder(path, &mut |begun| fill.take().map_or(Ok(()), |fill| fill(begun)))
@@ -173,10 +167,8 @@ pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
 }
 
 impl Lock {
-    /// Locks a file, and makes it where there is none, for every user who may write in its folder.
-    ///
-    /// # Errors
-    /// [`io::ErrorKind::WouldBlock`] where another program holds it for longer than `patience`; no regular file; the home's.
+    /// Locks a file, and makes it where there is none, for every user who may write in its folder. Errors: [`io::ErrorKind::WouldBlock`] where
+    /// another program holds it for longer than `patience`; no regular file; the home's.
     pub fn wait(path: &Path, patience: Duration) -> io::Result<Self> {
         home().lock(path, patience)
     }

@@ -1,5 +1,5 @@
-//! The ghost of a race: place of a recorded ship and times of its objectives, tick by tick. Its world is flown ahead of the race and apart from it: a
-//! ghost touches nothing. A record that is flown again, to compare where it leads with the written end.
+//! The ghost of a race: place of a recorded ship and times of its objectives, tick by tick. It touches nothing: its world is flown ahead of the race.
+//! A record that is flown again, to compare where it leads with the written end.
 
 use super::attempt::Game;
 use super::event::{GameError, GameEvent, Outcome};

@@ -245,17 +245,13 @@ pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) 
     csv_line(head) + &rows.into_iter().map(csv_line).collect::<String>()
 }
 
-/// # Errors
-/// The number is not within [`NUMBERS`].
+/// Errors: the number is not within [`NUMBERS`].
 pub(super) fn above_zero(row: &CsvRow<'_>, column: &str) -> Result<f64, String> {
     let expected = format!("a number above 0, from {:e} to {:e}", NUMBERS.start(), NUMBERS.end());
     row.parse(column, &expected, |value| NUMBERS.contains(value))
 }
 
-/// An error of a run: 0 or more, infinite, or not a number where the run blew up.
-///
-/// # Errors
-/// Anything else.
+/// An error of a run: 0 or more, infinite, or not a number where the run blew up. Errors: anything else.
 pub(super) fn error(row: &CsvRow<'_>) -> Result<f64, String> {
     row.parse("error", "an error of 0 or more, inf or NaN", |error: &f64| error.is_nan() || *error >= 0.0)
 }
@@ -295,25 +291,18 @@ pub(super) const fn of_amounts(name: &'static str) -> CsvColumn {
     }
 }
 
-/// # Errors
-/// A number that is none.
+/// Errors: a number that is none.
 pub(super) fn not_negative(row: &CsvRow<'_>, column: &str) -> Result<f64, String> {
     row.parse(column, "a number of 0 or more", |value: &f64| value.is_finite() && *value >= 0.0)
 }
 
-/// The columns of a measured point.
-///
-/// # Errors
-/// The first number that cannot be.
+/// The columns of a measured point. Errors: the first number that cannot be.
 pub(super) fn work_point(row: &CsvRow<'_>) -> Result<WorkPoint, String> {
     let (step, work) = (above_zero(row, "step")?, above_zero(row, "work")?);
     Ok(WorkPoint { step, work, spread: not_negative(row, "spread")?, error: error(row)? })
 }
 
-/// The rows of a file below its head.
-///
-/// # Errors
-/// The line of the first row that is not as long as the head.
+/// The rows of a file below its head. Errors: the line of the first row that is not as long as the head.
 pub(super) fn rows<'a>(file: &'a str, text: &str, head: &'a [&'a str]) -> Result<Vec<CsvRow<'a>>, String> {
     let csv = CsvFile { name: file, columns: head, comments: false };
     let mut rows = csv.rows(text.as_bytes());

@@ -10,8 +10,7 @@ use super::curve::{MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of, not_nega
 use crate::draw::chart::CurveOrigin;
 use crate::files::{CsvRow, SHIPPED};
 
-/// # Errors
-/// As [`Charts::read`]: a file was damaged before the build.
+/// Errors: as [`Charts::read`]: a file was damaged before the build.
 pub fn charts() -> Result<Charts, String> {
     Charts::read(|name| {
         let path = format!("docs/charts/{name}");
@@ -58,10 +57,7 @@ fn has_size(scenes: &str, scene: &str) -> bool {
     scene.strip_prefix(scenes).and_then(|rest| rest.strip_prefix('-')).is_some_and(|size| size.parse::<u32>().is_ok())
 }
 
-/// `file` names the text.
-///
-/// # Errors
-/// File and line of the first row that cannot be read.
+/// `file` names the text. Errors: file and line of the first row that cannot be read.
 pub fn peer_rows(file: &str, text: &str) -> Result<Vec<PeerRow>, String> {
     let row = |row: CsvRow<'_>| {
         let word = |column| row.get(column).to_owned();
@@ -143,10 +139,8 @@ impl Family {
     }
 }
 
-/// Adds the peers' points to the diagrams of their scenes, and diagrams for the scenes of engines only; leaves out all other scenes.
-///
-/// # Errors
-/// More curves in a diagram than [`MOST_CURVES`].
+/// Adds the peers' points to the diagrams of their scenes, and diagrams for the scenes of engines only; leaves out all other scenes. Errors: more
+/// curves in a diagram than [`MOST_CURVES`].
 pub fn add_peers(peers: &[PeerRow], diagrams: &mut Vec<Measured>) -> Result<(), String> {
     let mut families = FAMILIES.map(|family| (family, None::<Measured>));
     for row in peers {

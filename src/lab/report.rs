@@ -196,10 +196,7 @@ pub struct PageFigures<'a> {
 }
 
 impl PageFigures<'_> {
-    /// The page with the present texts between its marks.
-    ///
-    /// # Errors
-    /// A mark without an end, or of something that was not measured.
+    /// The page with the present texts between its marks. Errors: a mark without an end, or of something that was not measured.
     pub fn fill(&self, page: &str) -> Result<String, String> {
         let mut parts = page.split(BEGIN);
         let mut text = parts.next().unwrap_or_default().to_owned();

@@ -138,8 +138,7 @@ pub fn csv(savings: &[Saving]) -> String {
     table(&HEAD, savings.iter().map(row))
 }
 
-/// # Errors
-/// File and line of the first row that cannot be read.
+/// Errors: file and line of the first row that cannot be read.
 pub fn read(text: &str) -> Result<Vec<Saving>, String> {
     let saving = |row: CsvRow<'_>| {
         let word = |column| row.get(column).to_owned();

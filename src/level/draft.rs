@@ -1,5 +1,4 @@
 //! The things of a level's files, row by row, before the checks of the whole level.
-//!
 //! The reader of a level's files: their bytes, their rows, the things of the rows.
 
 use super::image::{self, BACKGROUND, Files, Images};

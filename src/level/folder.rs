@@ -1,5 +1,4 @@
 //! The only part of the loader that knows the disk.
-//!
 //! Names of levels: a folder's name is also the name of its leaderboard's file.
 
 use super::image::Files;

@@ -1,5 +1,4 @@
 //! The source of the loader's bytes; and images as the loader needs them: whether a path stays in the project, whether there is a PNG, and its size.
-//!
 //! Winds that solids shade.
 
 use super::numbers::PixelScale;

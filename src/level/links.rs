@@ -1,5 +1,4 @@
 //! What is wrong with the links of a level, beyond the form of their rows.
-//!
 //! Forces that are too strong for the masses on which they act.
 
 use super::draft::Draft;

@@ -1,5 +1,4 @@
 //! Names: those of the files in a level's folder, and those of the things that its switches work.
-//!
 //! Warnings of unreadable words.
 
 use super::draft::Draft;
@@ -38,7 +37,10 @@ pub(super) fn stray(file: &str, names: &[String]) -> Option<Stray> {
         Some(known) => Some(Stray::Misspelt(problem(named(known)))),
         None if !file.to_lowercase().ends_with(".csv") => None,
         None => {
-            let copied = FILES.into_iter().find(|known| is_there(known) && is_copy(file, known));
+            // `world (1).csv`, `world - Kopie.csv`, `world_old.csv`.
+            let more = |known: &str| file.strip_prefix(known.trim_end_matches(".csv"));
+            let is_copy = |known: &str| more(known).is_some_and(|more| more.starts_with(|c: char| !c.is_alphanumeric()));
+            let copied = FILES.into_iter().find(|known| is_there(known) && is_copy(known));
             let expected = copied.map_or_else(
                 || tr!("one of {list}", list = FILES.join(", ")),
                 |known| tr!("{known} alone: it is the file that is read", known),
@@ -56,13 +58,6 @@ fn look_alike(file: &str) -> Option<&'static str> {
     let is_picture = BACKGROUND.starts_with(&format!("{stem}.")) && PICTURES.contains(&ending);
     let table = |known: &&str| stem == *known && ending == "txt";
     FILES.into_iter().find(|known| table(known) || *known == BACKGROUND && is_picture)
-}
-
-/// `world (1).csv`, `world - Kopie.csv`, `world_old.csv`.
-fn is_copy(file: &str, known: &str) -> bool {
-    let stem = known.trim_end_matches(".csv");
-    let more = file.strip_prefix(stem);
-    more.is_some_and(|more| more.starts_with(|c: char| !c.is_alphanumeric()))
 }
 
 /// The most flights of a wrong name among the warnings.

@@ -1,5 +1,4 @@
 //! A problem of a level: its place, the found and the expected.
-//!
 //! The known word that an author probably meant.
 
 use crate::files::found_instead;
@@ -32,11 +31,6 @@ impl Problem {
         expected: impl Into<String>,
     ) -> Self {
         Self { file: file.into(), line, column: column.into(), found: found.into(), expected: expected.into() }
-    }
-
-    /// Whether it is the lack of that file.
-    pub(super) fn is_no_file(&self, file: &str) -> bool {
-        self.file == file && self.found == tr("no file")
     }
 
     /// The problem with a file that has no lines and columns.

@@ -108,8 +108,11 @@ fn gather(files: &dyn Files, unfinished: bool) -> Gathered {
     let draft = Draft::read(&mut reader, size, settings);
     for (known, problem) in look_alikes {
         // A level that is refused for want of a file names the one that looks like it.
-        let wanted =
-            if known == BACKGROUND { size.is_none() } else { reader.rows.problems.iter().any(|found| found.is_no_file(known)) };
+        let wanted = if known == BACKGROUND {
+            size.is_none()
+        } else {
+            reader.rows.problems.iter().any(|problem| problem.file == known && problem.found == tr("no file"))
+        };
         if wanted { &mut reader.rows.problems } else { &mut reader.warnings }.push(problem);
     }
     let background = background.is_some_and(|size| size.is_ok());
@@ -175,16 +178,13 @@ fn plain_size(settings: &LevelSettings, reader: &mut LevelReader) -> Option<DVec
 
 /// The problems by files and lines, and at most [`MOST_PROBLEMS`] of them.
 fn in_order(mut problems: Vec<Problem>) -> Vec<Problem> {
-    problems.sort_by_key(|problem| (file_order(&problem.file), problem.line));
+    let order = |file: &str| FILES.iter().position(|known| *known == file).unwrap_or(FILES.len());
+    problems.sort_by_key(|problem| (order(&problem.file), problem.line));
     if problems.len() > MOST_PROBLEMS {
         problems.truncate(MOST_PROBLEMS);
         problems.extend(problems.last().map(|last| too_many(&last.file, last.line)));
     }
     problems
-}
-
-fn file_order(file: &str) -> usize {
-    FILES.iter().position(|known| *known == file).unwrap_or(FILES.len())
 }
 
 #[cfg(test)]

@@ -49,9 +49,7 @@ pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
 }
 
 /// The files below a folder of an archive, by their paths from there; `limit` is the most bytes of a path, `None` for one that does not belong.
-///
-/// # Errors
-/// As [`read`], without the rules of a level; a file outside of the folder.
+/// Errors: as [`read`], without the rules of a level; a file outside of the folder.
 #[cfg(any(browser, test))]
 pub(super) fn read_below(
     bytes: &[u8],

@@ -1,7 +1,5 @@
 //! A level's files in memory.
-//!
 //! The flights in a level's folder are flown again in the level as it is.
-//!
 //! The memory of a packed level, before it is unpacked: by the sizes in the archive, to which reading holds it, and by its pictures' heads.
 
 use super::path;
@@ -55,7 +53,8 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
     let level = level::load(folder, project).map_err(|problems| level::listed(&problems))?.level;
     let (mut package, mut left) = (Package { name, files: BTreeMap::new() }, Vec::new());
     let mut take = |path: String, from: &Path, root: &Path, most: u64| {
-        if let Some(link) = link_below(root, from) {
+        let mut below = from.ancestors().take_while(|part| *part != root && part.starts_with(root));
+        if let Some(link) = below.find(|part| files::is_link(part)) {
             return Err(vec![format!("{}: {}", link.display(), tr("found a link, expected a regular file"))]);
         }
         let bytes = files::read(from, most).map_err(|error| vec![format!("{}: {error}", from.display())])?;
@@ -85,11 +84,6 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
     }
     check(&package, project)?;
     Ok((package, left))
-}
-
-/// The first link on the path down from a folder.
-fn link_below<'a>(root: &Path, path: &'a Path) -> Option<&'a Path> {
-    path.ancestors().take_while(|part| *part != root && part.starts_with(root)).find(|part| files::is_link(part))
 }
 
 pub(super) fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {

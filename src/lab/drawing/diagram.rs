@@ -1,5 +1,4 @@
 //! A work–precision diagram: on the screen with one curve or point picked out, and on the paper of `resultant chart`.
-//!
 //! Places of a work–precision diagram on the canvas: plot, legend, points. Plain arithmetic; `diagram` draws it.
 
 use super::look_of;

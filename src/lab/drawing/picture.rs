@@ -1,5 +1,4 @@
 //! The picture of a method's failure: small, beside its line of a table, or large, with its axes.
-//!
 //! The Lab's charts on sheets of SVG.
 
 use super::diagram::{self, DiagramPlaces};

@@ -40,7 +40,9 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Meas
     dashed(canvas, &[from, to], TOLERANCE_DASH, 2.0, theme::good());
     let (least, most) = axes.energy.unwrap_or_default();
     let energies = round_numbers(least, most, NAMED - 2).into_iter();
-    let energies: Vec<_> = energies.map(|energy| ((energy - least) / (most - least), energy_name(energy))).collect();
+    // The largest stands for all beyond it.
+    let name = |energy| if energy >= ENERGIES.1 { format!("≥ {}", short(ENERGIES.1)) } else { short(energy) };
+    let energies: Vec<_> = energies.map(|energy| ((energy - least) / (most - least), name(energy))).collect();
     let lower = axes.energy.map(|_| {
         let top = upper.area.max().y + BETWEEN;
         let area = Area::new(whole.min.x, top, whole.size.x, whole.max().y + 8.0 - top);
@@ -108,11 +110,6 @@ impl Timeline {
         let part = ((energy - least) / (most - least)).clamp(0.0, 1.0);
         Some((moment.time / self.end, if part.is_nan() { 1.0 } else { part }))
     }
-}
-
-/// An energy as a label: the largest stands for all beyond it.
-pub fn energy_name(energy: f64) -> String {
-    if energy >= ENERGIES.1 { format!("≥ {}", short(ENERGIES.1)) } else { short(energy) }
 }
 
 /// An error clamped to the axis: rounding at the lower edge, blown-up runs at the upper one.

@@ -1,5 +1,4 @@
 //! Bouncing on a floor from H = 1 m. Exact, with t₀ = √(2H/g): the n-th apex at H·e^(2n), all bounces over at t₀(1+e)/(1−e).
-//!
 //! Sliding to a stop on a floor. Exact: d = v₀²/2μg.
 
 use crate::lab::contract::{By, Model};

@@ -1,7 +1,5 @@
 //! Elastic collisions along a line. Of a cradle of n equal blocks the last one leaves with the first one's velocity and all others stand still.
-//!
 //! A fast box against a thin obstacle. Exact: it never gets through.
-//!
 //! π from collisions: which step size still counts right, and at which cost. Exact: ⌈π/atan(√(m/M))⌉ − 1 collisions.
 
 use crate::classics::pi::{Blocks, step_through};

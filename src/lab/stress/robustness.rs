@@ -1,5 +1,4 @@
 //! Programs fail far from the origin, after a hitch, and on nonsense.
-//!
 //! Floors fail by jitter at rest, stops that are short or never come, bounces that end too early or never, energy from nothing.
 
 use super::picture::FailurePicture;
@@ -186,16 +185,12 @@ pub fn naive_takes(body: &BodyDef) -> bool {
     naively(body).all(|(height, speed)| height.is_finite() && speed <= fastest)
 }
 
-/// Whether the shipped engine refuses it.
-pub fn shipped_refuses(body: &BodyDef) -> bool {
-    World::new(contract::on_floor(G, 1.0, vec![body.clone()])).is_err()
-}
-
 pub fn nonsense() -> StressTest {
     let bodies = nonsense_bodies();
     let all = bodies.len() as f64;
     let harmless = bodies.iter().filter(|(_, body)| naive_takes(body)).count() as f64;
-    let refused = bodies.iter().filter(|(_, body)| shipped_refuses(body)).count() as f64;
+    let refuses = |body: &BodyDef| World::new(contract::on_floor(G, 1.0, vec![body.clone()])).is_err();
+    let refused = bodies.iter().filter(|(_, body)| refuses(body)).count() as f64;
     let naive = Trial::new("taken as it is", move |kinds| kinds.floor() <= harmless).showing(move |_| {
         // The last kind, which gives back more than it took.
         let heights = bodies.last().into_iter().flat_map(|(_, body)| naively(body)).enumerate();

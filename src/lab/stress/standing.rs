@@ -1,5 +1,4 @@
 //! Solvers of resting contacts fail at unequal masses and in tall columns.
-//!
 //! Methods of impact fail at thin obstacles and at many contacts at one instant.
 
 use super::picture::FailurePicture;
@@ -109,11 +108,6 @@ pub fn shipped_sag(ratio: f64) -> f64 {
     ContactChain::standing(vec![1.0, ratio]).sag(By::Engine, RESTING, TICK)
 }
 
-/// Whether a box of 0.5 m never gets through an obstacle of 0.1 m and `mass` (kg; infinite: a wall) at 60 Hz.
-pub fn stays_out(by: By<ImpactStep>, speed: f64, mass: f64) -> bool {
-    Meeting { speed, mass }.fails_at(by, TICK).is_none()
-}
-
 /// The places of the first `blocks` over the steps since `first`.
 fn with_paths(picture: FailurePicture, paths: &[Vec<f64>], blocks: usize, first: usize) -> FailurePicture {
     let path =
@@ -142,7 +136,7 @@ fn met(by: By<ImpactStep>, meeting: Meeting) -> FailurePicture {
 
 fn tunnels(name: &'static str, mass: f64) -> StressTest {
     let picture = move |by, speed| met(by, Meeting { speed, mass });
-    let methods = Trial::all_showing(METHODS, move |by, speed| stays_out(by, speed, mass), picture);
+    let methods = Trial::all_showing(METHODS, move |by, speed| Meeting { speed, mass }.fails_at(by, TICK).is_none(), picture);
     StressTest::of(name, "speed at h = 1/60 s, m/s", (1.0, 1e6), methods)
 }
 

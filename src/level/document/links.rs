@@ -1,5 +1,4 @@
 //! Links: what an author chooses of them, and their ends by the names of bodies or as places.
-//!
 //! The wires from switches to things, by the names of the things.
 
 use super::model::{Document, NewRow, RowId, SetCell};
@@ -342,7 +341,7 @@ impl Document {
         rewired
     }
 
-    fn names(&self) -> Vec<&str> {
+    pub(super) fn names(&self) -> Vec<&str> {
         let rows = worked().flat_map(|table| self.rows(table));
         rows.flat_map(|row| names_in(self.cell(row, "name").unwrap_or_default()).filter(|name| !name.is_empty())).collect()
     }
@@ -359,10 +358,5 @@ impl Document {
         let first = (1_u32..).map(|number| if number == 1 { stem.to_owned() } else { format!("{stem}{number}") });
         let mut free = first.filter(|name| !known.contains(&name.as_str()));
         free.next().unwrap_or_default()
-    }
-
-    /// The name of the first thing that has one, else a name to be replaced.
-    pub(super) fn first_worked(&self) -> String {
-        self.names().first().map_or("gate", |name| name).to_owned()
     }
 }

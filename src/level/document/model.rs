@@ -88,10 +88,6 @@ impl Document {
         names
     }
 
-    fn picture_size(&self, image: &str) -> Option<DVec2> {
-        shape(image).map(|(_, size)| size).or_else(|| self.pictures.get(image).copied())
-    }
-
     pub(super) fn sheet(&self, table: Table) -> &EditedFile {
         &self.sheets[table.index()]
     }
@@ -180,7 +176,11 @@ impl Document {
         let size = match kind {
             Kind::Setting | Kind::Hint => return None,
             Kind::Ship => DVec2::splat(SHIP_HEIGHT * self.metre()),
-            Kind::Object | Kind::Key | Kind::Picture => self.picture_size(self.cell(row, "image")?).unwrap_or(DVec2::splat(20.0)),
+            Kind::Object | Kind::Key | Kind::Picture => {
+                let image = self.cell(row, "image")?;
+                let size = shape(image).map(|(_, size)| size).or_else(|| self.pictures.get(image).copied());
+                size.unwrap_or(DVec2::splat(20.0))
+            }
             Kind::Text => {
                 let height = self.number(row, "size")?.abs();
                 DVec2::new(LETTER * height * self.cell(row, "text").map_or(0, |text| text.chars().count()) as f64, height)
@@ -325,15 +325,8 @@ impl ByteChange {
         Some(Self { table, exists, at, bytes })
     }
 
-    pub fn undone(&self, after: Option<&[u8]>) -> Option<Vec<u8>> {
-        self.turned(after, 0)
-    }
-
-    pub fn redone(&self, before: Option<&[u8]>) -> Option<Vec<u8>> {
-        self.turned(before, 1)
-    }
-
-    fn turned(&self, now: Option<&[u8]>, to: usize) -> Option<Vec<u8>> {
+    /// The bytes before the change (0) or after it (1), of those at its other side.
+    pub fn turned(&self, now: Option<&[u8]>, to: usize) -> Option<Vec<u8>> {
         let mut bytes = now.unwrap_or_default().to_vec();
         bytes.splice(self.at..self.at + self.bytes[1 - to].len(), self.bytes[to].iter().copied());
         self.exists[to].then_some(bytes)

@@ -1,5 +1,4 @@
 //! Rows of solid blocks, world.csv, movers.csv and doors.csv; and of switches.csv.
-//!
 //! Rows of links.csv.
 
 use super::facts::{Column, Count, FileSchema, Holds, RowSchema};

@@ -90,7 +90,7 @@ pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, wa
     let metre = given.text("metre").and_then(|text| numbers::METRE.parse(&given.dialect.number(text)).ok());
     reader.scale = PixelScale { metre: metre.unwrap_or(PixelScale::USUAL.metre) };
     // In an unfinished level the usual number stands for a refused one.
-    let row: SettingsRow = given.read_or_usual(reader).unwrap_or_default();
+    let row: SettingsRow = given.read_cells(reader).0.unwrap_or_default();
     let (awards, marked) = awards(&row, &given, reader);
     LevelSettings { row, awards, marked, given }
 }
