@@ -5,20 +5,16 @@
 //! `resultant pack` and `resultant unpack`: a level as one file, and back.
 //! `resultant import MAP`: a map of the editor Tiled becomes a level; with `--watch` again whenever it is saved.
 
-use super::project::Project;
-use super::{CommandError, Readers, Status, shown};
-use crate::files;
-use crate::game::DryRun;
+use super::{CommandError, Readers, Status, project::Project, shown};
 use crate::import::{self, ImportedLevel, SourceFile};
 use crate::level::schema::{Count, Kind};
 use crate::level::{self, Level, Loaded, Problem};
 use crate::pack::{self, Installed, Package};
-use crate::physics::World;
+use crate::{files, game::DryRun, physics::World};
 use std::ffi::{OsStr, OsString};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::Duration;
+use std::{sync::Arc, time::Duration};
 
 #[derive(clap::Args, Debug, Default)]
 pub struct CheckArgs {
@@ -197,7 +193,6 @@ pub fn edit_level(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> R
     Err(CommandError::Refused("this build of resultant has no window: see --help for what it does without one".into()))
 }
 
-/// The most files that a line names.
 const MOST_NAMED: usize = 5;
 
 #[derive(clap::Args, Debug)]
@@ -266,7 +261,6 @@ pub fn unpack_level(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -
     Ok(Status::Done)
 }
 
-/// The further files of an existing level's folder, in words.
 fn beside(more: &[String]) -> String {
     let named: Vec<String> = more.iter().take(MOST_NAMED).map(shown).collect();
     match more.len() {
@@ -282,7 +276,6 @@ fn open(path: &Path) -> Result<Package, String> {
     pack::read(&bytes, &called)
 }
 
-/// The number of files, and of flights among them.
 fn counts(package: &Package) -> (usize, usize) {
     let flights = package.files.keys().filter(|path| path.starts_with("flights/")).count();
     (package.files.len(), flights)

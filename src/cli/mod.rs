@@ -16,11 +16,9 @@ mod verify;
 
 use clap::Parser;
 pub use project::Project;
-use std::fmt::Display;
 use std::io::{self, Write};
-use std::path::PathBuf;
-use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use std::{fmt::Display, path::PathBuf, process::ExitCode};
 
 /// A rocket ship flown by named forces
 #[derive(Parser, Debug)]

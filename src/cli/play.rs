@@ -3,18 +3,14 @@
 //! `resultant pi`: counts the collisions of two blocks and a wall.
 //! `resultant tiles`: runs a list of commands through a map of tiles.
 
-use super::project::Project;
-use super::{CommandError, Status};
+use super::{CommandError, Status, project::Project};
 use crate::classics::jumper::{Climb, JumpKeys, JumperScene, parse};
 use crate::classics::pi::{Blocks, count, step_through};
 use crate::classics::tile_run::{Command, InputError, Map, Runner};
 use crate::files::{INPUTS, TILE_COMMANDS, TILE_MAP};
-use crate::game::TICK_RATE;
-use crate::number::Shortest;
-use std::ffi::OsString;
-use std::io::Write;
+use crate::{game::TICK_RATE, number::Shortest};
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::{ffi::OsString, io::Write, time::Instant};
 
 #[derive(clap::Args, Debug, Default)]
 pub struct PlayArgs {

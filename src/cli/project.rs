@@ -1,5 +1,4 @@
-use super::files::read_text;
-use super::{CommandError, shown};
+use super::{CommandError, files::read_text, shown};
 use crate::game::{Replay, level_hash};
 use crate::level::{self, Level};
 use crate::{files, pack};

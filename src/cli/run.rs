@@ -3,18 +3,15 @@
 //! The file of forces: each force and impact of each tick, with its source and its point.
 
 use super::files::{CsvOutput, OutputFile, Staged};
-use super::project::Project;
-use super::{CommandError, Status};
+use super::{CommandError, Status, project::Project};
 use crate::files::INPUTS;
 use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE, obstacle_name, source_name};
 use crate::level::{FILES, Object};
 use crate::number::{Pair, Shortest, pair};
 use crate::physics::{BodyId, DVec2, ForceKind, Impulse, Obstacle, World};
 use serde::Serialize;
-use std::ffi::OsString;
 use std::io::{self, Write};
-use std::ops::RangeInclusive;
-use std::path::PathBuf;
+use std::{ffi::OsString, ops::RangeInclusive, path::PathBuf};
 
 /// Of a run without inputs, s.
 const DEFAULT_SECONDS: f64 = 10.0;

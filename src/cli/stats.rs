@@ -1,16 +1,14 @@
 //! `resultant stats`: sums of attempts by level and of answers by experiment.
 
 use super::files::{CsvOutput, OutputFile, Staged};
-use super::project::Project;
-use super::{CommandError, Readers, Status, shown};
+use super::{CommandError, Readers, Status, project::Project, shown};
 use crate::files::{self, FileKind};
 use crate::level;
 use crate::scores::{ExperimentTally, LevelTally, Tally, harmless, may_be_list};
 use serde::Serialize;
-use std::collections::HashSet;
-use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::{collections::HashSet, fmt::Display};
 
 const CSV: &str =
     "kind,name,players,tries,successes,median_time,lost_to,predictions_right,predictions_wrong,readings_right,readings_wrong";

@@ -1,16 +1,11 @@
 //! Files of this program's home, by free functions.
 
-use super::cells::CellFault;
-use super::dialect::Encoding;
-use super::read::Symlinks;
 use super::storage::{FileKind, Found, Lock, Manner, Storage};
+use super::{cells::CellFault, dialect::Encoding, read::Symlinks};
 use crate::words::tr;
-use std::ffi::OsString;
-use std::io;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::{ffi::OsString, io, time::Duration};
 
-/// The most numbered files of one name.
 const MOST_OF_A_NAME: u32 = 10_000;
 
 #[cfg(not(all(browser, feature = "window")))]
@@ -89,7 +84,6 @@ pub fn text(bytes: &[u8]) -> io::Result<String> {
     })
 }
 
-/// `None` where there is no such file.
 fn if_there<T>(read: io::Result<T>) -> io::Result<Option<T>> {
     match read {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),

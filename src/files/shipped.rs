@@ -3,14 +3,9 @@
 
 use super::read::{Symlinks, too_large};
 use super::storage::{Disk, FileKind, Found, Lock, Manner, Storage};
-use crate::built_in::SHIPPED;
-use crate::words::tr;
-use std::collections::BTreeSet;
-use std::ffi::OsString;
-use std::io;
+use crate::{built_in::SHIPPED, words::tr};
 use std::path::{Component, Path, PathBuf};
-use std::sync::OnceLock;
-use std::time::Duration;
+use std::{collections::BTreeSet, ffi::OsString, io, sync::OnceLock, time::Duration};
 
 static ABOVE_SHIPPED: OnceLock<AboveShipped<Disk>> = OnceLock::new();
 

@@ -3,12 +3,11 @@
 //! A flight that the same controls fly again in another level, an experiment that changes one thing; a long one takes several frames.
 //! What becomes of a level in which nobody presses a key.
 
-use super::attempt::Game;
 use super::clock::{Controls, TICK_RATE};
 use super::event::{GameError, Outcome};
 use super::inputs::{Inputs, Playback};
 use super::replay::{Recorder, Replay};
-use super::ship::SHIP;
+use super::{attempt::Game, ship::SHIP};
 use crate::level::Level;
 use std::sync::Arc;
 

@@ -14,14 +14,12 @@ use crate::files::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, Dialect, foun
 use crate::words::tr;
 use csv::WriterBuilder;
 use serde::{Deserialize, Serialize, Serializer};
-use std::borrow::Cow;
-use std::fmt;
+use std::{borrow::Cow, fmt};
 
 pub const HEADER: &str = "ticks,thrust,reverse,left,right";
 /// Three months at the game's rate: more is a slip of the pen.
 pub const MOST_TICKS: u64 = 1_000_000_000;
 
-/// The most problems in the report about a file.
 const MOST_PROBLEMS: usize = 1000;
 
 /// A refused file: each problem on a line `file:line: column "name": found …, expected …`.
@@ -181,7 +179,6 @@ impl IntoIterator for Inputs {
 #[derive(Clone, Debug)]
 pub struct Playback {
     rows: std::vec::IntoIter<HeldKeys>,
-    /// The rest of the current row.
     row: HeldKeys,
 }
 

@@ -2,9 +2,7 @@
 //! forces and motions are those of one world. A fragile block takes the blow that breaks it, and is gone after that tick.
 //! The state of the objectives: touch, hold time and turn.
 
-use super::event::GameEvent;
-use super::impacts::TOUCH;
-use super::ship::SHIP;
+use super::{event::GameEvent, impacts::TOUCH, ship::SHIP};
 use crate::level::{Level, Objective, ObjectiveKind, Presser, SurfaceOf, Switch, SwitchStay, Wire, Worked};
 use crate::physics::{BodyId, Obstacle, World};
 

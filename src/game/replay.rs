@@ -21,13 +21,11 @@
 //!
 //! The comments of a record, `# name: value`: their place and their values.
 
-use super::attempt::Game;
 use super::clock::{Controls, TICK_RATES};
-use super::event::Outcome;
 use super::fingerprint::{LevelHash, hex, level_hash};
 use super::inputs::{BadFile, Inputs};
-use crate::files::found_instead;
-use crate::words::tr;
+use super::{attempt::Game, event::Outcome};
+use crate::{files::found_instead, words::tr};
 use std::fmt;
 
 pub const PROGRAM: &str = concat!("resultant ", env!("CARGO_PKG_VERSION"));

@@ -2,10 +2,8 @@
 
 use super::SourceFile;
 use super::tiled::{self, Properties, class, flag, list, number, properties, text};
-use crate::files;
-use crate::level::BACKGROUND;
 use crate::level::schema::{Kind, SETTINGS, Table};
-use crate::physics::DVec2;
+use crate::{files, level::BACKGROUND, physics::DVec2};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

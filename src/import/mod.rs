@@ -6,14 +6,12 @@ mod objects;
 mod tiled;
 
 use crate::files::{self, Manner, Symlinks};
-use crate::level::schema::Table;
 use crate::level::{self, Loaded, Problem, scaffold};
 use crate::pack::{self, Installed, Package};
-use crate::words::tr;
+use crate::{level::schema::Table, words::tr};
 use map::Reader;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
+use std::{collections::BTreeMap, time::SystemTime};
 
 /// Lists the files of a level that an import made.
 const LIST: &str = "imported.txt";
@@ -138,7 +136,6 @@ impl Imported {
         pack::load(&self.package, project).map_err(|problems| problems.iter().map(|problem| self.placed(problem)).collect())
     }
 
-    /// A problem by its layer and object.
     fn placed(&self, problem: &Problem) -> String {
         let origin = self.origins.iter().find(|((file, line), _)| *file == problem.file && *line == problem.line);
         let Some((_, origin)) = origin else { return problem.to_string() };

@@ -6,8 +6,7 @@ use base64::prelude::BASE64_STANDARD;
 use flate2::read::{GzDecoder, ZlibDecoder};
 use roxmltree::{Document, Node};
 use serde_json::{Map, Value};
-use std::collections::BTreeMap;
-use std::io::Read;
+use std::{collections::BTreeMap, io::Read};
 
 /// The most tiles of a layer.
 const MOST_TILES: u64 = 4 << 20;

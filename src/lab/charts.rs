@@ -8,9 +8,8 @@ use super::curve::{
 };
 use super::savings::{self, Saving};
 use super::stress::Survival;
-use crate::draw::chart::CurveOrigin;
 use crate::files::{CsvColumn, CsvRow, CsvStruct};
-use crate::physics::SOURCES;
+use crate::{draw::chart::CurveOrigin, physics::SOURCES};
 use serde::Deserialize;
 
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]

@@ -9,10 +9,9 @@
 //! refusal names file, line and column.
 
 use super::methods::motion::{ADAPTIVE, tolerance};
-use crate::draw::chart::CurveOrigin;
 use crate::files::{CsvColumn, CsvFile, CsvRow, csv_line};
 use crate::number::{short, step};
-use crate::physics::SOURCES;
+use crate::{draw::chart::CurveOrigin, physics::SOURCES};
 
 /// One run of a method at one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -175,22 +174,6 @@ pub struct Measured {
 }
 
 impl Measured {
-    #[cfg(test)]
-    pub(crate) fn of_curves(curves: Vec<MethodCurve>) -> Self {
-        Self {
-            name: "n".into(),
-            title: "A title".into(),
-            error: "error, m".into(),
-            work: "work, ns".into(),
-            tolerance: 1e-3,
-            shipped_step: 0.01,
-            alike: true,
-            note: String::new(),
-            curves,
-            over_time: None,
-        }
-    }
-
     /// Whether another build than this one was measured.
     pub fn is_stale(&self) -> bool {
         self.curves.iter().any(|curve| curve.origin != CurveOrigin::Peer && curve.version != SOURCES)
@@ -256,7 +239,6 @@ pub(super) fn error(row: &CsvRow<'_>) -> Result<f64, String> {
     row.parse("error", "an error of 0 or more, inf or NaN", |error: &f64| error.is_nan() || *error >= 0.0)
 }
 
-/// The names of columns.
 pub(super) const fn head<const N: usize>(columns: &[CsvColumn]) -> [&'static str; N] {
     let (mut names, mut i) = ([""; N], 0);
     while i < N {
@@ -271,7 +253,6 @@ pub(super) const fn of_words(name: &'static str) -> CsvColumn {
     CsvColumn { name, plain: |_, text| Ok(text.into()) }
 }
 
-/// A column of true and false.
 pub(super) const fn of_flags(name: &'static str) -> CsvColumn {
     CsvColumn {
         name,
@@ -324,6 +305,23 @@ pub(super) fn rows<'a>(file: &'a str, text: &str, head: &'a [&'a str]) -> Result
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    impl Measured {
+        pub(crate) fn of_curves(curves: Vec<MethodCurve>) -> Self {
+            Self {
+                name: "n".into(),
+                title: "A title".into(),
+                error: "error, m".into(),
+                work: "work, ns".into(),
+                tolerance: 1e-3,
+                shipped_step: 0.01,
+                alike: true,
+                note: String::new(),
+                curves,
+                over_time: None,
+            }
+        }
+    }
 
     #[test]
     fn half_of_the_runs_are_within_the_spread() {

@@ -4,9 +4,8 @@
 //! Other engines' points, from the file that `benches/peers` wrote: the same scenes, measured on one machine in one run. A scene of the lab gets
 //! their points into its diagram, a curve for each version and setting. Scenes that no method by hand could run make diagrams of their own.
 
-use super::TOLERANCE;
-use super::charts::Charts;
 use super::curve::{MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of, not_negative, rows, work_point};
+use super::{TOLERANCE, charts::Charts};
 use crate::draw::chart::CurveOrigin;
 use crate::files::{CsvRow, SHIPPED};
 

@@ -2,10 +2,9 @@
 //! would cost to run them all.
 
 use super::curve::{above_zero, not_negative, rows, shortest, table};
-use crate::files::CsvRow;
 use crate::game::{Controls, Game, TICK_RATE};
-use crate::number::short;
 use crate::physics::{OPTIONAL, Plan, World};
+use crate::{files::CsvRow, number::short};
 use std::fmt::Write;
 
 pub const FILE: &str = "savings.csv";

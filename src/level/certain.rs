@@ -1,13 +1,10 @@
 //! What `check` warns of: a list of checks, each of which says what holds whatever the keys, by bounds of energy and speed, or that a row can
 //! have no use.
 
-use super::draft::Draft;
-use super::problem::Problem;
 use super::reach::{CentredBox, grown};
-use super::schema::typed::FromRow;
 use super::types::{LevelLink, Objective, ObjectiveKind, Presser, SHIP_HALF, Switch};
 use super::winnable::{Checked, Goal, LIVELY};
-use super::{gates, types};
+use super::{draft::Draft, gates, problem::Problem, schema::typed::FromRow, types};
 use crate::number::{fixed, trimmed};
 use crate::physics::{Aabb, DVec2, LinkEnd, LinkLaw};
 use crate::words::tr;
@@ -119,7 +116,6 @@ fn like_pixels(level: &Checked) -> Vec<Problem> {
     all.filter(|((_, row), most)| row.item.abs() > *most).map(warning).collect()
 }
 
-/// Holds beyond the optimal time.
 fn long_holds(level: &Checked) -> Vec<Problem> {
     let best = level.draft.settings.row.optimal_time;
     let long = level.draft.objectives.iter().filter(|pad| pad.item.hold > best);
@@ -130,7 +126,6 @@ fn long_holds(level: &Checked) -> Vec<Problem> {
     .collect()
 }
 
-/// Keys that no pad takes.
 fn unused_keys(level: &Checked) -> Vec<Problem> {
     let Draft { objects, objectives, switches, .. } = level.draft;
     let pressing = switches.iter().any(|switch| switch.item.by == Presser::Key);
@@ -141,7 +136,6 @@ fn unused_keys(level: &Checked) -> Vec<Problem> {
     unused.map(|key| key.problem("kind", tr("a key object that no objective takes"), expected)).collect()
 }
 
-/// Pods out of reach.
 fn barred_pods(level: &Checked) -> Vec<Problem> {
     let barred = level.draft.pods.iter().filter(|pod| !level.space.gets_to(level.ship_box(), &pod.item.bounds));
     let expected = tr("a route to it, in the level and out of solids");

@@ -2,10 +2,8 @@
 //! The reader of a level's files: their bytes, their rows, the things of the rows.
 
 use super::image::{self, BACKGROUND, Files, Images};
-use super::numbers::PixelScale;
 use super::problem::{Problem, at_most};
 use super::schema::blocks::{self, UnboundLink};
-use super::schema::settings::LevelSettings;
 use super::schema::typed::{FromRow, RowCells, RowReader};
 use super::schema::{Table, bodies, zones};
 use super::table::{self, TableRows};
@@ -13,6 +11,7 @@ use super::types::{
     AirStream, Decoration, Fluid, GravityZone, Level, Mark, Mover, Object, Objective, ObjectiveKind, Pod, ShipStart, Solid, Star,
     Switch, Text,
 };
+use super::{numbers::PixelScale, schema::settings::LevelSettings};
 
 use crate::physics::{Aabb, DVec2};
 use crate::words::tr;
@@ -61,7 +60,6 @@ impl<'a> LevelReader<'a> {
         Some(self.read(table, &bytes?))
     }
 
-    /// The rows of an optional file.
     pub fn table(&mut self, table: Table) -> TableRows {
         self.bytes(table).map_or_else(TableRows::default, |bytes| self.read(table, &bytes))
     }
@@ -157,7 +155,6 @@ impl Draft {
         !self.streams.is_empty() || !self.fields.is_empty() || !self.fluids.is_empty()
     }
 
-    /// Whether there is a ship, or none is needed.
     pub const fn may_start(&self) -> bool {
         self.player.is_some() || self.settings.is_experiment()
     }
@@ -270,7 +267,6 @@ fn objectives(reader: &mut LevelReader, experiment: bool, objects: &mut Vec<From
     objectives
 }
 
-/// A level with stars has them for its mark.
 fn stars(reader: &mut LevelReader, settings: &mut LevelSettings) -> Vec<FromRow<Star>> {
     let stars = reader.things(Table::Stars, zones::star);
     let Some(first) = stars.first() else { return stars };

@@ -1,17 +1,15 @@
 //! The only part of the loader that knows the disk.
 //! Names of levels: a folder's name is also the name of its leaderboard's file.
 
-use super::image::Files;
 use super::problem::{Problem, quoted};
 use super::read::{Loaded, read, read_unfinished};
 use super::schema::{Kind, Table, Word};
-use super::table;
 use super::types::{Landscape, Look};
+use super::{image::Files, table};
 use crate::files::{self, CsvFile};
 use crate::words::tr;
-use std::cmp::Ordering;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{cmp::Ordering, io};
 
 /// Images are looked up in `folder`, then under `project`, the folder that holds `assets/` and `levels/`. The paths in the level can be opened as
 /// they are. Errors: every problem in every file; a folder that does not exist, or that has the name of another leaderboard, is one problem.

@@ -1,13 +1,11 @@
 //! Warnings of doors that no body can open and of pads behind red, one-way blocks and winds. A doubtful route counts as possible: a body gets
 //! anywhere in its own free space, and fragile blocks and movers are no obstacles.
 
-use super::draft::Draft;
-use super::numbers::MIN_SIZE;
-use super::problem::Problem;
 use super::reach::{FreeSpace, grown, shared};
 use super::types::{SHIP_HALF, SwitchStay};
 use super::winnable::{Checked, Goal};
 use super::wiring::{SwitchesByName, Wire, Worked};
+use super::{draft::Draft, numbers::MIN_SIZE, problem::Problem};
 use crate::physics::{Aabb, DVec2, Sides};
 use crate::words::tr;
 

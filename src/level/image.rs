@@ -1,15 +1,11 @@
 //! The source of the loader's bytes; and images as the loader needs them: whether a path stays in the project, whether there is a PNG, and its size.
 //! Winds that solids shade.
 
-use super::numbers::PixelScale;
-use super::problem::quoted;
 use super::types::{AirStream, Look};
-use crate::files;
-use crate::physics::Aabb;
-use crate::words::tr;
-use std::collections::BTreeMap;
-use std::io;
+use super::{numbers::PixelScale, problem::quoted};
+use crate::{files, physics::Aabb, words::tr};
 use std::path::{Path, PathBuf};
+use std::{collections::BTreeMap, io};
 
 /// The picture behind a level, in its folder.
 pub const BACKGROUND: &str = "background.png";

@@ -1,12 +1,9 @@
 //! What is wrong with the links of a level, beyond the form of their rows.
 //! Forces that are too strong for the masses on which they act.
 
-use super::draft::Draft;
 use super::problem::{MOST_PROBLEMS, Problem, at_most, meant, quoted};
-use super::schema::blocks::MOST_LINKS;
-use super::schema::typed::FromRow;
-use super::schema::values::LinkRowEnd;
 use super::types::{LevelLink, SHIP_HALF, ShipStart};
+use super::{draft::Draft, schema::blocks::MOST_LINKS, schema::typed::FromRow, schema::values::LinkRowEnd};
 use crate::physics::domain::{MOST_ACCELERATION, MOST_DAMPING, MOST_STIFFNESS};
 use crate::physics::{BodyId, DVec2, LinkDef, LinkEnd, LinkLaw};
 use crate::words::tr;

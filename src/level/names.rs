@@ -1,14 +1,9 @@
 //! Names: those of the files in a level's folder, and those of the things that its switches work.
 //! Warnings of unreadable words.
 
-use super::draft::Draft;
-use super::image::BACKGROUND;
 use super::problem::{MOST_PROBLEMS, Problem, at_most, meant, nearest, quoted};
-use super::schema::FILES;
-use super::schema::typed::FromRow;
-use super::wiring::names_in;
-use crate::physics::DVec2;
-use crate::words::tr;
+use super::{draft::Draft, image::BACKGROUND, schema::FILES, schema::typed::FromRow, wiring::names_in};
+use crate::{physics::DVec2, words::tr};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A file that no level has, among the `names` in a level's folder.
@@ -107,7 +102,6 @@ fn worked(draft: &Draft) -> BTreeMap<&str, usize> {
     things
 }
 
-/// Switches that work a name that no thing has.
 pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     let known = worked(draft);
     let works = draft.switches.iter().flat_map(|switch| &switch.item.works);
@@ -138,7 +132,6 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     problems
 }
 
-/// Things with a name that no switch works.
 pub(super) fn warn(draft: &Draft) -> Vec<Problem> {
     let works = draft.switches.iter().flat_map(|switch| &switch.item.works);
     let known: BTreeSet<&str> = works.map(|work| work.name.as_str()).collect();

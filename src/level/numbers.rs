@@ -61,7 +61,6 @@ pub(super) const MEDAL_TIME: NumberRange = NumberRange::new(1e-3, 1e9, "s");
 pub(super) const MARK_COUNT: NumberRange = NumberRange::new(0.0, 1e6, "");
 pub(super) const MARK_FUEL: NumberRange = NumberRange::new(0.0, 100.0, "% of the fuel left");
 pub(super) const MARK_SPEED: NumberRange = NumberRange::new(1e-3, 1e4, "m/s");
-/// 0 or 1.
 pub(super) const YES: NumberRange = NumberRange { gap: 1.0, ..NumberRange::new(0.0, 1.0, "") };
 
 impl NumberRange {
@@ -143,7 +142,6 @@ pub(super) fn number(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A limit as people write it.
 fn short(value: f64) -> String {
     if value != 0.0 && !(1e-3..1e6).contains(&value.abs()) { format!("{value:e}") } else { value.to_string() }
 }

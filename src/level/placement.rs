@@ -3,12 +3,11 @@
 //! A static tree of boxes that finds the boxes that a box touches. A node parts its boxes at the median of their centres along its longer
 //! side. Nodes lie in the order of a descent, each with the index of the node that follows a miss: a search is one loop without a stack.
 
-use super::draft::Draft;
 use super::problem::{MOST_PROBLEMS, Problem, at_most};
 use super::reach::{FreeSpace, OVERLAP, SearchWork};
-use super::schema::typed::FromRow;
 use super::types::{Fluid, SHIP_HALF, Solid};
 use super::wiring::{SwitchesByName, Worked};
+use super::{draft::Draft, schema::typed::FromRow};
 use crate::number::{fixed, trimmed};
 use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_LIQUIDS, MOST_ZONES};
 use crate::physics::{Aabb, DVec2, Sides};

@@ -6,9 +6,7 @@
 
 use crate::physics::{Aabb, DVec2};
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
-use std::rc::Rc;
+use std::{collections::BTreeMap, ops::RangeInclusive, rc::Rc};
 
 /// How far things may overlap at the start, m: pixels that touch overlap by rounding, which must not close a gap either.
 pub(super) const OVERLAP: f64 = 1e-6;

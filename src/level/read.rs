@@ -4,16 +4,12 @@ use super::draft::{Draft, LevelReader};
 use super::image::{BACKGROUND, Files, png_size};
 use super::names::{self, Stray};
 use super::problem::{MOST_PROBLEMS, Problem, too_many};
-use super::reach::SearchWork;
 use super::schema::settings::{LevelSettings, SETTING, settings};
 use super::schema::{FILES, Table};
-use super::types::Level;
 use super::winnable::{self, Checked};
-use super::{certain, links, placement};
-use crate::physics::DVec2;
-use crate::words::tr;
-use std::io;
-use std::rc::Rc;
+use super::{certain, links, placement, reach::SearchWork, types::Level};
+use crate::{physics::DVec2, words::tr};
+use std::{io, rc::Rc};
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loaded {
@@ -75,7 +71,6 @@ pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Prob
     Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }
 
-/// The things of a level's files, each row judged by itself.
 struct Gathered {
     background: bool,
     draft: Draft,

@@ -2,12 +2,9 @@
 
 use super::document::{Document, RowId, SetCell};
 use super::links::{self, TooMuch};
-use super::numbers as q;
-use super::parameter::Parameter;
-use super::problem::Problem;
-use super::reach::OVERLAP;
 use super::schema::{Kind, Table};
 use super::types::{Level, Mover, SHIP_HALF};
+use super::{numbers as q, parameter::Parameter, problem::Problem, reach::OVERLAP};
 use crate::physics::{Aabb, BodyId, DVec2, Sides, WorldDef};
 use crate::words::tr;
 

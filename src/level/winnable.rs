@@ -1,13 +1,11 @@
 //! Whether a level can be won at all, and is neither won nor lost at its start. A doubtful route counts as possible: doors are open, no body
 //! is too heavy, and movers are anywhere.
 
-use super::draft::Draft;
-use super::placement::BoxTree;
 use super::problem::{Problem, quoted};
 use super::reach::{CentredBox, FreeSpace, grown, shared};
-use super::schema::typed::FromRow;
 use super::types::{BURN_RATE, LevelLink, Objective, ObjectiveKind, Presser, SHIP_HALF, ShipStart, Switch};
 use super::world_def::{ship_body, sweep_touches};
+use super::{draft::Draft, placement::BoxTree, schema::typed::FromRow};
 use crate::physics::{Aabb, BodyId, DVec2, LinkEnd, LinkLaw, Material, Spring};
 use crate::words::tr;
 

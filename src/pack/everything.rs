@@ -1,16 +1,12 @@
 //! Everything that a browser keeps for the page as one archive, and back: nothing that was there before is lost.
 
-use super::archive::read_below;
 use super::package::{Package, UNPACKED};
-use super::write;
+use super::{archive::read_below, write};
 use crate::files::{Keeper, Manner, PageFiles, Storage, Symlinks};
 use crate::words::tr;
-use std::collections::BTreeMap;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 
-/// The folder of the archive.
 const NAME: &str = "resultant-data";
-/// The parts of it that are taken.
 const PARTS: [&str; 6] = ["before-import", "exports", "levels", "results", "scores", "settings.csv"];
 /// Where a file goes whose place an imported one takes.
 const BEFORE: &str = "before-import";

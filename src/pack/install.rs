@@ -1,15 +1,12 @@
 //! Writing a package into the folder of levels.
 
-use super::archive::read;
 use super::package::{LARGEST, MOST_FILES, Package, check, listed};
-use super::path;
-use crate::files;
+use super::{archive::read, path};
 use crate::level::{self, BACKGROUND, FILES, scaffold};
-use crate::words::tr;
+use crate::{files, words::tr};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Tries for a free name.
 const MOST_NAMES: u32 = 1000;
 
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -7,13 +7,9 @@ use crate::files::{self, Symlinks, read_text};
 use crate::game::{Game, Goal, LevelHash, Medal, Prize, Replay, RunResult, goals, level_hash};
 use crate::level::document::{Document, LevelFolder, Opened};
 use crate::level::{self, FILES, Files, Level, Loaded, Problem};
-use crate::number::hundredths;
-use crate::words::tr;
-use std::collections::BTreeMap;
-use std::fmt::Display;
-use std::io;
+use crate::{number::hundredths, words::tr};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::{collections::BTreeMap, fmt::Display, io, sync::Arc};
 
 /// The largest archive, bytes.
 pub const LARGEST: u64 = 64 << 20;

@@ -7,10 +7,7 @@ use super::name::{DamageReport, Name, ScoresError};
 use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, csv_line, whole};
 use crate::words::tr;
 use serde::Deserialize;
-use std::cmp::Reverse;
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
-use std::path::Path;
+use std::{cmp::Reverse, collections::HashMap, collections::hash_map::Entry, path::Path};
 
 /// Columns, in the order in which a save adds them: of the flight, its time (s) and its file.
 const TIME: &str = "time";

@@ -7,8 +7,7 @@ use super::board::{self, Board, Placement};
 use super::name::{Name, ScoresError};
 use super::players::{self, Deed, Players, harmless};
 use crate::files::{self, SaveError};
-use crate::game::Replay;
-use crate::words::tr;
+use crate::{game::Replay, words::tr};
 use serde::{Serialize, Serializer};
 use std::path::{Path, PathBuf};
 

@@ -107,7 +107,6 @@ fn shown(character: char) -> String {
     }
 }
 
-/// The most places in a report.
 pub(super) const MOST_DAMAGE: usize = 1000;
 
 /// The unreadable places of one file, each on a line `file:line: column "name": found …, expected …`.

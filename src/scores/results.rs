@@ -9,9 +9,8 @@ use super::players::{harmless, unharmed};
 use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, truth};
 use crate::{level, number};
 use serde::{Deserialize, Serialize, Serializer};
-use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
-use std::path::PathBuf;
+use std::{borrow::Cow, path::PathBuf};
 
 #[derive(Clone, Debug, Default)]
 pub struct LevelTally {
@@ -134,7 +133,6 @@ fn is_like<T: CsvStruct>(bytes: &[u8]) -> bool {
 /// Rows in which a header and those of a list are looked for.
 const LOOKED_AT: usize = 5;
 
-/// A row of the list of attempts.
 #[derive(Deserialize)]
 #[allow(dead_code)] // Some columns are no part of the sums.
 struct AttemptCells {
@@ -149,7 +147,6 @@ struct AttemptCells {
     assisted: bool,
 }
 
-/// A row of a list of answers.
 #[derive(Deserialize)]
 #[allow(dead_code)] // Some columns are no part of the sums.
 struct AnswerCells {

@@ -35,7 +35,7 @@ fn heavy_on_light() {
     }
     for ratio in [10.0, 1000.0, 1e4, 1e6] {
         assert!(standing::stands(&[1.0, ratio]), "R = {ratio}");
-        assert_eq!(standing::shipped_sag(ratio), 0.0, "R = {ratio}");
+        assert_eq!(ContactChain::standing(vec![1.0, ratio]).sag(By::Engine, 2.0, TICK), 0.0, "R = {ratio}");
     }
 }
 

@@ -8,12 +8,10 @@ use super::look_of;
 use crate::draw::chart::{CurveLook, Decades, LEAST_ERROR, TOLERANCE_DASH, dashed, round_numbers, stroke};
 use crate::draw::layout::{Area, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::TOLERANCE;
 use crate::lab::curve::{CoursePoint, Measured, OverTime};
 use crate::number::{power, short, step};
-use crate::view::lanes::LaneAxes;
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::TOLERANCE, view::lanes::LaneAxes, words::tr};
 
 /// The error's share of the height, where there is an energy, too.
 const UPPER: f32 = 0.55;

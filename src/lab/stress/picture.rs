@@ -91,7 +91,6 @@ impl FailurePicture {
     }
 }
 
-/// The least and the largest finite value.
 fn span(values: impl Iterator<Item = f64>) -> Option<ValueSpan> {
     let finite = values.filter(|value| value.is_finite());
     finite.fold(None, |span, value| {

@@ -1,8 +1,7 @@
 //! Programs fail far from the origin, after a hitch, and on nonsense.
 //! Floors fail by jitter at rest, stops that are short or never come, bounces that end too early or never, energy from nothing.
 
-use super::picture::FailurePicture;
-use super::{G, StressTest, Trial};
+use super::{G, StressTest, Trial, picture::FailurePicture};
 use crate::game::{Clock, TICK_RATE};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::bounce::{Ball, Bounce, SlideStep, Slider, by_sign, energy, event_loop, impact_times};
@@ -244,7 +243,6 @@ pub fn slide(by: By<SlideStep>, h: f64) -> Slider {
     SLIDING.end(by, RESTING, h).unwrap_or((f64::NAN, f64::NAN))
 }
 
-/// The places about the stop.
 fn stopping(by: By<SlideStep>, h: f64) -> FailurePicture {
     let around = (12.0 * h).max(0.1);
     let (from, to) = (SLIDING.stops_after() - around, SLIDING.stops_after() + around);

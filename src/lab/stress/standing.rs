@@ -1,15 +1,12 @@
 //! Solvers of resting contacts fail at unequal masses and in tall columns.
 //! Methods of impact fail at thin obstacles and at many contacts at one instant.
 
-use super::picture::FailurePicture;
-use super::{G, StressTest, Trial};
-use crate::lab::TICK;
+use super::{G, StressTest, Trial, picture::FailurePicture};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::chain::{Solver, sweeps_needed, swept_loads, weights, worst_load};
-use crate::lab::methods::impact::ImpactStep;
 use crate::lab::scenes::collisions::{BlockLine, METHODS, Meeting, STEPS, STRIKE, THIN};
-use crate::lab::scenes::stacks::ContactChain;
 use crate::physics::{BodyId, ForceKind, World};
+use crate::{lab::TICK, lab::methods::impact::ImpactStep, lab::scenes::stacks::ContactChain};
 
 /// m. The overlap that a resting pair may show at any tick.
 pub const OVERLAP: f64 = 1e-6;
@@ -28,7 +25,6 @@ const AT_REST: [(&str, Solver); 5] = [
 ];
 /// s. Bodies rest for this time.
 const RESTING: f64 = 2.0;
-/// The upward label of every picture.
 const LOAD: &str = "worst force / right one";
 
 /// The force that carries a body itself, N: the reaction from below without the push of the bodies above, which is their weight.
@@ -62,7 +58,6 @@ fn shipped_loads(masses: &[f64]) -> Vec<(f64, f64)> {
     (1..=(RESTING / TICK) as u32).map(after_step).collect()
 }
 
-/// The same by hand.
 fn loads(masses: &[f64], solver: Solver) -> Vec<(f64, f64)> {
     let exact: Vec<f64> = weights(masses).iter().map(|mass| mass * G * TICK / f64::from(solver.parts())).collect();
     let column = ContactChain::standing(masses.to_vec());
@@ -101,11 +96,6 @@ pub fn columns() -> StressTest {
     let methods = solvers(|n| vec![1.0; n.floor() as usize]);
     let test = StressTest::of("column: forces to 1 %", "equal blocks N at h = 1/60 s", (1.0, 200.0), methods);
     StressTest { whole: true, ..test }
-}
-
-/// The sag of a resting pair of 1 kg and `ratio` kg with the shipped engine, m.
-pub fn shipped_sag(ratio: f64) -> f64 {
-    ContactChain::standing(vec![1.0, ratio]).sag(By::Engine, RESTING, TICK)
 }
 
 /// The places of the first `blocks` over the steps since `first`.

@@ -8,20 +8,12 @@ use super::model::{self, Document, Kept};
 use crate::files::{self, Lock, Manner, Symlinks};
 use crate::level::folder::{LevelDisk, load_from};
 use crate::level::image::{BACKGROUND, Files, png_size};
-use crate::level::problem::Problem;
 use crate::level::read::{Loaded, read, read_unfinished};
-use crate::level::schema::Table;
-use crate::physics::DVec2;
-use crate::words::tr;
-use std::collections::BTreeMap;
+use crate::{level::problem::Problem, level::schema::Table, physics::DVec2, words::tr};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::Duration;
-use std::{env, fmt, io, process};
+use std::{collections::BTreeMap, env, fmt, io, process, sync::Arc, time::Duration};
 
-/// The file of unsaved edits.
 const KEPT: &str = ".autosave";
-/// The folder of the pictures that levels share.
 const ASSETS: &str = "assets";
 /// The depth of its folders that are searched.
 const ASSETS_DEPTH: u32 = 3;
@@ -34,7 +26,6 @@ pub struct LevelFolder {
     project: PathBuf,
     /// The files' bytes when they were opened or saved last, by [`Table`].
     known: Vec<Option<Vec<u8>>>,
-    /// Of an editor.
     _lock: Option<Arc<EditorLock>>,
 }
 

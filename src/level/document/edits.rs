@@ -6,9 +6,8 @@ use super::links::shifted_end;
 use super::model::{ByteChange, Document, EditChange, NewRow, RowId, SetCell};
 use super::places::{FINEST, Place, number, parsed, points, shape, shape_text, way_text};
 use super::sheet::{Added, CellEdit, EditedFile};
-use crate::files::csv_line;
 use crate::level::schema::{Kind, Table};
-use crate::physics::DVec2;
+use crate::{files::csv_line, physics::DVec2};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Document {

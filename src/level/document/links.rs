@@ -4,9 +4,7 @@
 use super::model::{Document, NewRow, RowId, SetCell};
 use super::places::{Place, number, point};
 use crate::level::schema::{Column, Kind, Table};
-use crate::level::wiring::names_in;
-use crate::physics::DVec2;
-use crate::words::tr;
+use crate::{level::wiring::names_in, physics::DVec2, words::tr};
 use std::collections::BTreeMap;
 
 /// A link is taken hold of by a square around its middle, pixels.
@@ -161,7 +159,6 @@ impl Document {
         }
     }
 
-    /// The body at an end of a link.
     fn end_body(&self, row: RowId, column: &str) -> Option<RowId> {
         let text = self.cell(row, column).filter(|_| row.table == Table::Links)?.trim();
         if text.eq_ignore_ascii_case("ship") {
@@ -224,7 +221,6 @@ fn place_text(place: DVec2) -> String {
     format!("{} {}", number(place.x), number(place.y))
 }
 
-/// The tables whose rows have a name that a switch can work.
 fn worked() -> impl Iterator<Item = Table> {
     Table::ALL.iter().copied().filter(|table| table.has(Column::is_name))
 }
@@ -297,7 +293,6 @@ impl Document {
         if named.is_empty() {
             return Vec::new();
         }
-        // Each old name with the new ones.
         let mut new: BTreeMap<String, Vec<String>> = BTreeMap::new();
         for table in worked() {
             let before = self.before(table, gesture);

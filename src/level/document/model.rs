@@ -7,15 +7,9 @@
 
 use super::places::{Place, parsed, shape};
 use super::sheet::EditedFile;
-use crate::files;
-use crate::level::image::Files;
-use crate::level::numbers::PixelScale;
 use crate::level::schema::{Column, Kind, Table};
-use crate::level::types::SHIP_HEIGHT;
-use crate::physics::DVec2;
-use crate::words::tr;
-use std::collections::BTreeMap;
-use std::io;
+use crate::{files, level::image::Files, level::numbers::PixelScale, level::types::SHIP_HEIGHT, physics::DVec2, words::tr};
+use std::{collections::BTreeMap, io};
 
 /// Width of a letter in heights of it, about.
 const LETTER: f64 = 0.5;
@@ -250,7 +244,6 @@ impl Files for Over<'_> {
     }
 }
 
-/// The file's first line.
 const MARK: &str = "resultant autosave 1\n";
 /// Its last line: a file without it was cut short.
 const END: &str = "end\n";

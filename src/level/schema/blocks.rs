@@ -5,11 +5,10 @@ use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
 use super::typed::{FromRow, MATERIAL, Row as _, RowCells, RowReader, Word, by_word, number, one_of, rows};
 use super::values::{LinkRowEnd, WayPoints, Works};
 use crate::level::numbers::{self, MIN_SIZE};
-use crate::level::problem::quoted;
 use crate::level::route::{MoverPace, Route, RouteShape, path};
 use crate::level::types::{LevelLink, Mover, Object, Presser, Solid, Switch, SwitchStay};
 use crate::physics::{BodyId, DVec2, LinkDef, LinkEnd, LinkLaw, Magnet, Material, Sides, Spring};
-use crate::words::tr;
+use crate::{level::problem::quoted, words::tr};
 
 pub static WORLD: FileSchema = FileSchema {
     name: "world.csv",
@@ -288,7 +287,6 @@ impl UnboundLink {
     }
 }
 
-/// The links whose ends are bodies.
 pub(in crate::level) fn bound(links: &[FromRow<UnboundLink>], objects: &[FromRow<Object>]) -> Vec<LevelLink> {
     let bound = links.iter().filter_map(|link| link.item.bind(objects));
     bound.filter(|link| link.def.to != LinkEnd::Body(link.def.body)).take(MOST_LINKS).collect()

@@ -3,11 +3,10 @@
 use super::facts::{Column, FileSchema, Holds, RowSchema};
 use super::typed::{Row as _, RowCells, RowReader, Word, by_word, number, one_of, rows, words};
 use super::values::Together;
-use crate::files::Dialect;
 use crate::level::numbers::{self, PixelScale};
 use crate::level::problem::{Problem, meant, quoted};
 use crate::level::types::{Awards, Landscape, Mark};
-use crate::words::tr;
+use crate::{files::Dialect, words::tr};
 
 pub static CONSTANTS: FileSchema = FileSchema {
     name: "constants.csv",

@@ -4,11 +4,10 @@
 
 use super::facts::{Column, Holds, RowSchema};
 use crate::files::{Cell, Dialect};
-use crate::level::image::Images;
 use crate::level::numbers::{self, NumberRange, PixelScale};
 use crate::level::problem::{Problem, quoted};
 use crate::physics::{Material, Sides};
-use crate::words::tr;
+use crate::{level::image::Images, words::tr};
 use csv::StringRecord;
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, Deserializer, Error};

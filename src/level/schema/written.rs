@@ -1,8 +1,7 @@
 //! The schema as text: the rows of a new level with their comments, and the tables of docs/levels.md.
 
 use super::facts::{Column, RowSchema};
-use super::kinds::Table;
-use super::settings::SETTINGS;
+use super::{kinds::Table, settings::SETTINGS};
 use crate::words;
 
 /// The longest line of a comment, characters.
