@@ -3,25 +3,19 @@
 //! the machine counts for little. Methods take turns, so that what slows the machine for a while slows all of them.
 
 use super::files::{OutputFile, Staged, read_text};
-use super::project::Project;
-use super::{CommandError, Status};
-use crate::draw::chart::CurveOrigin;
+use super::{CommandError, Status, project::Project};
 use crate::files::{self, CHART};
 use crate::game::{Controls, Game, Replay};
 use crate::lab::charts::{Charts, MeasuredWith, SETTING};
 use crate::lab::curve::{CoursePoint, Measured, MethodCurve, OverTime, WorkPoint, median_and_spread};
-use crate::lab::drawing::picture;
 use crate::lab::kept::{PEERS, PeerRow, add_peers, is_of_peers, peer_rows};
 use crate::lab::report::{PAGES, PageFigures, shipped_csv, summary};
 use crate::lab::savings::{self, Saving, TimedRun};
 use crate::lab::{LabScene, SceneMethod, scenes, stability, stress};
-use crate::level;
 use crate::physics::{Plan, SOURCES};
-use std::hint::black_box;
-use std::io::Write;
+use crate::{draw::chart::CurveOrigin, lab::drawing::picture, level};
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::sync::Arc;
+use std::{hint::black_box, io::Write, process::Command, sync::Arc};
 
 #[cfg(any(unix, windows))]
 use cpu_time::ThreadTime as Clock;
@@ -160,7 +154,7 @@ pub fn run(args: &ChartArgs, project: &Project, out: &mut dyn Write) -> Result<S
         charts.savings = rows.collect();
     }
 
-    let charts = with_peers(charts, &peers)?;
+    add_peers(&peers, &mut charts.diagrams).map_err(CommandError::Refused)?;
     let files = all_files(&charts);
     save(dir, &files)?;
     for (name, _) in &files {
@@ -192,11 +186,6 @@ fn all_files(charts: &Charts) -> Vec<(String, String)> {
     files.push(("shipped.csv".to_owned(), shipped_csv(&charts.diagrams)));
     files.push(("summary.md".to_owned(), summary(charts, &regions)));
     files
-}
-
-fn with_peers(mut charts: Charts, peers: &[PeerRow]) -> Result<Charts, CommandError> {
-    add_peers(peers, &mut charts.diagrams).map_err(CommandError::Refused)?;
-    Ok(charts)
 }
 
 fn read_peers(dir: &Path) -> Result<Vec<PeerRow>, CommandError> {

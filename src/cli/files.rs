@@ -7,10 +7,8 @@ use serde::Serialize;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// The text of the file `from`, which messages call `path`; `at_most` is in bytes (one of the sizes in [`crate::files`]).
-///
-/// # Errors
-/// A file that cannot be read, is no regular one, too large, or no UTF-8.
+/// The text of the file `from`, which messages call `path`; `at_most` is in bytes (one of the sizes in [`crate::files`]). Errors: a file that cannot
+/// be read, is no regular one, too large, or no UTF-8.
 pub fn read_text(path: &Path, from: &Path, at_most: u64) -> Result<String, CommandError> {
     let bytes = files::read(from, at_most).map_err(|error| refused(path, &error))?;
     files::Encoding::text(&bytes).map_err(|line| {
@@ -22,8 +20,7 @@ pub fn read_text(path: &Path, from: &Path, at_most: u64) -> Result<String, Comma
 pub struct CsvOutput<W: Write>(csv::Writer<W>);
 
 impl<W: Write> CsvOutput<W> {
-    /// `header` is the columns' names with commas between: a field of a row may hold several cells, so that the fields' names do
-    /// not serve.
+    /// `header` is the columns' names with commas between: a field of a row may hold several cells, so that the fields' names do not serve.
     pub fn new(out: W, header: &str) -> io::Result<Self> {
         let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(out);
         writer.write_record(header.split(',')).map_err(plain)?;
@@ -85,8 +82,7 @@ pub struct Staged {
 }
 
 impl OutputFile {
-    /// # Errors
-    /// A folder that cannot be written, a read-only file there, or no regular one; nothing has been written then.
+    /// Errors: a folder that cannot be written, a read-only file there, or no regular one; nothing has been written then.
     pub fn create(path: &Path) -> Result<Self, CommandError> {
         let target = if is_standard(path) {
             OutputTarget::Standard(io::stdout())
@@ -97,10 +93,8 @@ impl OutputFile {
         Ok(Self { path: path.to_path_buf(), writer: BufWriter::new(target) })
     }
 
-    /// Creates the wanted output files, each by its argument's name. `inputs` are the files that the subcommand reads.
-    ///
-    /// # Errors
-    /// As [`OutputFile::create`]; two outputs are one file, or an output is an input. Nothing has been written then.
+    /// Creates the wanted output files, each by its argument's name. `inputs` are the files that the subcommand reads. Errors: as
+    /// [`OutputFile::create`]; two outputs are one file, or an output is an input. Nothing has been written then.
     pub fn create_all<const N: usize>(
         outputs: [(&str, Option<&Path>); N],
         inputs: &[PathBuf],

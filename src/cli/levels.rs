@@ -1,29 +1,20 @@
 //! `resultant check [LEVEL…]`: loads levels, and says what is in them or everything that is wrong with them.
-//!
 //! `resultant new NAME [--show]` makes a level folder that loads, for an author to change.
-//!
 //! `resultant prove LEVEL REPLAY --as PRIZE`: makes a flight the proof of a medal.
-//!
 //! `resultant edit LEVEL`: opens the editor.
-//!
 //! `resultant pack` and `resultant unpack`: a level as one file, and back.
-//!
 //! `resultant import MAP`: a map of the editor Tiled becomes a level; with `--watch` again whenever it is saved.
 
-use super::project::Project;
-use super::{CommandError, Readers, Status, shown};
-use crate::files;
-use crate::game::DryRun;
+use super::{CommandError, Readers, Status, project::Project, shown};
 use crate::import::{self, ImportedLevel, SourceFile};
 use crate::level::schema::{Count, Kind};
 use crate::level::{self, Level, Loaded, Problem};
 use crate::pack::{self, Installed, Package};
-use crate::physics::World;
+use crate::{files, game::DryRun, physics::World};
 use std::ffi::{OsStr, OsString};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::Duration;
+use std::{sync::Arc, time::Duration};
 
 #[derive(clap::Args, Debug, Default)]
 pub struct CheckArgs {
@@ -32,13 +23,9 @@ pub struct CheckArgs {
     pub levels: Vec<OsString>,
 }
 
-/// Results go to `out`, problems and warnings to standard error.
-/// Errors: a level that does not exist, or no level at all; nothing is checked then.
+/// Results go to `out`, problems and warnings to standard error. Errors: a level that does not exist, or no level at all; nothing is checked then.
 pub fn check_levels(args: &CheckArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
-    check(args, project, out, &mut Readers::of(io::stderr().lock()))
-}
-
-fn check(args: &CheckArgs, project: &Project, out: &mut dyn Write, err: &mut dyn Write) -> Result<Status, CommandError> {
+    let err = &mut Readers::of(io::stderr().lock());
     let all = || level::list(&project.levels()).into_iter().map(OsString::from).collect();
     let names: Vec<OsString> = if args.levels.is_empty() { all() } else { args.levels.clone() };
     if names.is_empty() {
@@ -189,8 +176,7 @@ pub struct EditArgs {
     pub original: bool,
 }
 
-/// Returns when the window is closed.
-/// Errors: no such level; no display.
+/// Returns when the window is closed. Errors: no such level; no display.
 #[cfg(feature = "window")]
 pub fn edit_level(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
     use crate::screens::Editor;
@@ -207,7 +193,6 @@ pub fn edit_level(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> R
     Err(CommandError::Refused("this build of resultant has no window: see --help for what it does without one".into()))
 }
 
-/// The most files that a line names.
 const MOST_NAMED: usize = 5;
 
 #[derive(clap::Args, Debug)]
@@ -276,7 +261,6 @@ pub fn unpack_level(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -
     Ok(Status::Done)
 }
 
-/// The further files of an existing level's folder, in words.
 fn beside(more: &[String]) -> String {
     let named: Vec<String> = more.iter().take(MOST_NAMED).map(shown).collect();
     match more.len() {
@@ -292,7 +276,6 @@ fn open(path: &Path) -> Result<Package, String> {
     pack::read(&bytes, &called)
 }
 
-/// The number of files, and of flights among them.
 fn counts(package: &Package) -> (usize, usize) {
     let flights = package.files.keys().filter(|path| path.starts_with("flights/")).count();
     (package.files.len(), flights)

@@ -5,10 +5,9 @@
 
 #[allow(clippy::disallowed_methods)] // it measures
 mod chart;
-#[allow(clippy::disallowed_methods)] // it measures
-mod classics;
 mod files;
 mod levels;
+#[allow(clippy::disallowed_methods)] // it measures
 mod play;
 mod project;
 mod run;
@@ -17,11 +16,9 @@ mod verify;
 
 use clap::Parser;
 pub use project::Project;
-use std::fmt::Display;
 use std::io::{self, Write};
-use std::path::PathBuf;
-use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use std::{fmt::Display, path::PathBuf, process::ExitCode};
 
 /// A rocket ship flown by named forces
 #[derive(Parser, Debug)]
@@ -65,11 +62,11 @@ enum Subcommand {
     /// Sum up attempts by level and answers by experiment
     Stats(stats::StatsArgs),
     /// Run a list of commands through a map of tiles
-    Tiles(classics::TilesArgs),
+    Tiles(play::TilesArgs),
     /// Climb the jumper's tower without a window
-    Jumper(classics::JumperArgs),
+    Jumper(play::JumperArgs),
     /// Count the collisions of two blocks and a wall: the first N+1 digits of π
-    Pi(classics::PiArgs),
+    Pi(play::PiArgs),
 }
 
 pub fn main() -> ExitCode {
@@ -110,9 +107,9 @@ fn dispatch(cli: &Cli, out: &mut dyn Write) -> Result<Status, CommandError> {
         Some(Subcommand::Verify(args)) => verify::verify_flights(args, &project, out),
         Some(Subcommand::Code(args)) => verify::write_code(args, &project, out),
         Some(Subcommand::Stats(args)) => stats::run(args, &project, out),
-        Some(Subcommand::Tiles(args)) => classics::run_tiles(args, &project, out),
-        Some(Subcommand::Jumper(args)) => classics::run_jumper(args, &project, out),
-        Some(Subcommand::Pi(args)) => classics::count_pi(args, &project, out),
+        Some(Subcommand::Tiles(args)) => play::run_tiles(args, &project, out),
+        Some(Subcommand::Jumper(args)) => play::run_jumper(args, &project, out),
+        Some(Subcommand::Pi(args)) => play::count_pi(args, &project, out),
     }
 }
 

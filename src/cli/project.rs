@@ -1,5 +1,4 @@
-use super::files::read_text;
-use super::{CommandError, shown};
+use super::{CommandError, files::read_text, shown};
 use crate::game::{Replay, level_hash};
 use crate::level::{self, Level};
 use crate::{files, pack};
@@ -17,10 +16,9 @@ pub struct Project {
 }
 
 impl Project {
-    /// `data` if it is given; else the program's folder, where a file `portable` lies in it; else the working directory or the first
-    /// folder above it with the levels of a game; else the system's folders for the user's files, or the working directory where it
-    /// has none.
-    /// Errors: `data` is no folder.
+    /// `data` if it is given; else the program's folder, where a file `portable` lies in it; else the working directory or the first folder above it
+    /// with the levels of a game; else the system's folders for the user's files, or the working directory where it has none. Errors: `data` is no
+    /// folder.
     pub fn find(data: Option<&Path>) -> Result<Self, CommandError> {
         if let Some(data) = data {
             return if data.is_dir() {
@@ -29,7 +27,8 @@ impl Project {
                 Err(CommandError::Refused(format!("--data {}: there is no such folder", data.display())))
             };
         }
-        let portable = program_folder().filter(|folder| files::is_file(&folder.join(PORTABLE)));
+        let program = std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf));
+        let portable = program.filter(|folder| files::is_file(&folder.join(PORTABLE)));
         let working = std::env::current_dir().ok();
         let above = working.iter().flat_map(|folder| folder.ancestors().skip(1).map(Path::to_path_buf));
         let mut places = [PathBuf::from(".")].into_iter().chain(above);
@@ -104,10 +103,7 @@ impl Project {
         if is_name(path) && !files::is_taken(path) && files::is_file(&below) { below } else { path.to_path_buf() }
     }
 
-    /// Such a file's text. Messages name it as the user did.
-    ///
-    /// # Errors
-    /// It cannot be read, is no regular one, too large, or no UTF-8.
+    /// Such a file's text. Messages name it as the user did. Errors: it cannot be read, is no regular one, too large, or no UTF-8.
     pub fn read_text(&self, path: &Path, at_most: u64) -> Result<String, CommandError> {
         read_text(path, &self.input(path), at_most)
     }
@@ -153,10 +149,6 @@ fn is_name(path: &Path) -> bool {
 
 /// Beside the program, this file makes the program's folder the place of all files.
 const PORTABLE: &str = "portable";
-
-fn program_folder() -> Option<PathBuf> {
-    std::env::current_exe().ok().and_then(|path| path.parent().map(Path::to_path_buf))
-}
 
 /// Whether a folder's `levels/` is that of a game: another program's folder of that name holds no level.
 fn has_levels(folder: &Path) -> bool {

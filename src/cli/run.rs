@@ -1,29 +1,23 @@
 //! `resultant run`: plays a level without a window.
-//!
 //! The telemetry file: state and forces of each object, tick by tick.
-//!
 //! The file of forces: each force and impact of each tick, with its source and its point.
 
 use super::files::{CsvOutput, OutputFile, Staged};
-use super::project::Project;
-use super::{CommandError, Status};
+use super::{CommandError, Status, project::Project};
 use crate::files::INPUTS;
 use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE, obstacle_name, source_name};
-use crate::level::{FILES, Level, Object};
+use crate::level::{FILES, Object};
 use crate::number::{Pair, Shortest, pair};
 use crate::physics::{BodyId, DVec2, ForceKind, Impulse, Obstacle, World};
 use serde::Serialize;
-use std::ffi::OsString;
 use std::io::{self, Write};
-use std::ops::RangeInclusive;
-use std::path::{Path, PathBuf};
+use std::{ffi::OsString, ops::RangeInclusive, path::PathBuf};
 
 /// Of a run without inputs, s.
 const DEFAULT_SECONDS: f64 = 10.0;
 /// Hz.
 const RATES: RangeInclusive<f64> = 30.0..=480.0;
-/// A time this little above a whole number of ticks is that number, ticks: 0.1 s is no binary number. Larger, and a run could end
-/// visibly early.
+/// A time this little above a whole number of ticks is that number, ticks: 0.1 s is no binary number. Larger, and a run could end visibly early.
 const WHOLE_TICK: f64 = 1e-6;
 
 #[derive(clap::Args, Debug)]
@@ -76,10 +70,8 @@ fn parse_tick_rate(text: &str) -> Result<f64, String> {
     rate.ok_or_else(|| format!("expected {} to {} ticks a second", RATES.start(), RATES.end()))
 }
 
-/// Plays until the level or the time ends.
-///
-/// # Errors
-/// A refused level or inputs, more than [`MOST_TICKS`], an output that cannot be written or is an input; nothing was run then.
+/// Plays until the level or the time ends. Errors: a refused level or inputs, more than [`MOST_TICKS`], an output that cannot be written or is an
+/// input; nothing was run then.
 pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let level = project.load_level(&args.level)?;
     let inputs = match &args.inputs {
@@ -89,7 +81,9 @@ pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Sta
         None => None,
     };
     let last = last_tick(args, inputs.as_ref())?;
-    let mut read = level_files(&project.level_folder(&args.level)?, &level);
+    let folder = project.level_folder(&args.level)?;
+    // Also a background that is not there yet.
+    let mut read: Vec<PathBuf> = FILES.iter().map(|file| folder.join(file)).chain(level.pictures().cloned()).collect();
     read.extend(args.inputs.iter().map(|path| project.input(path)));
     let mut game = Game::with_tick_rate(level, args.tick).map_err(CommandError::refused)?;
     let outputs =
@@ -114,11 +108,6 @@ pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Sta
     out.flush()?;
     Staged::place_all(staged)?;
     Ok(Status::Done)
-}
-
-/// The tables, pictures and background of a level, also where there is no background yet.
-fn level_files(folder: &Path, level: &Level) -> Vec<PathBuf> {
-    FILES.iter().map(|file| folder.join(file)).chain(level.pictures().cloned()).collect()
 }
 
 fn last_tick(args: &RunArgs, inputs: Option<&Inputs>) -> Result<u64, CommandError> {

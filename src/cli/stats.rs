@@ -1,16 +1,14 @@
 //! `resultant stats`: sums of attempts by level and of answers by experiment.
 
 use super::files::{CsvOutput, OutputFile, Staged};
-use super::project::Project;
-use super::{CommandError, Readers, Status, shown};
+use super::{CommandError, Readers, Status, project::Project, shown};
 use crate::files::{self, FileKind};
 use crate::level;
 use crate::scores::{ExperimentTally, LevelTally, Tally, harmless, may_be_list};
 use serde::Serialize;
-use std::collections::HashSet;
-use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::{collections::HashSet, fmt::Display};
 
 const CSV: &str =
     "kind,name,players,tries,successes,median_time,lost_to,predictions_right,predictions_wrong,readings_right,readings_wrong";
@@ -39,8 +37,7 @@ struct StatsRow<'a> {
     judged: [Option<usize>; 4],
 }
 
-/// Tables go to `out`, unreadable rows and files to standard error.
-/// Errors: a path that is not there; a file of sums that cannot be written.
+/// Tables go to `out`, unreadable rows and files to standard error. Errors: a path that is not there; a file of sums that cannot be written.
 pub fn run(args: &StatsArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let own = [project.scores(), project.root().join("results")];
     let paths: Vec<PathBuf> =
@@ -96,8 +93,7 @@ struct Lists {
 }
 
 impl Lists {
-    /// Takes a list, or all in a folder at any depth. Hidden files and folders, whose names begin
-    /// with a point, are no pupil's.
+    /// Takes a list, or all in a folder at any depth. Hidden files and folders, whose names begin with a point, are no pupil's.
     fn gather(&mut self, from: &Path) {
         let mut waiting = vec![from.to_path_buf()];
         while let Some(path) = waiting.pop() {

@@ -1,11 +1,8 @@
 //! `resultant verify`: flies recorded runs again and compares where they lead.
-//!
 //! `resultant verify --scores`: flies the flight of every row of every leaderboard again, and names the rows that do not hold.
-//!
 //! `resultant code`: a recorded flight as one line of text, which `resultant verify` and the game's list of flights take.
 
-use super::project::Project;
-use super::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, shown};
+use super::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, project::Project, shown};
 use crate::classics::jumper::LEADERBOARD;
 use crate::files::{self, INPUTS};
 use crate::game::{Mismatch, PROGRAM, Replay};
@@ -67,7 +64,6 @@ pub fn verify_flights(args: &VerifyArgs, project: &Project, out: &mut dyn Write)
     Ok(status)
 }
 
-/// A code in a message: its beginning.
 fn short(name: &str) -> String {
     let begin: String = name.chars().take(SHORTEST_CODE / 2).collect();
     if name.len() < SHORTEST_CODE || name.contains(['/', '.', '\\']) { name.to_owned() } else { format!("{begin}…") }
@@ -106,7 +102,6 @@ fn read(project: &Project, path: &Path) -> Result<(Replay, Arc<Level>), CommandE
     Ok((replay, level))
 }
 
-/// Of results and of problems.
 type Outputs<'a> = (&'a mut dyn Write, &'a mut dyn Write);
 
 /// For each board a line with its number of proven rows goes to `out`; for each row that fails a line goes to standard error.

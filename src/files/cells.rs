@@ -6,10 +6,8 @@
 use super::dialect::{Dialect, Encoding, said};
 use crate::words::tr;
 use csv::{Position, Reader, ReaderBuilder, StringRecord};
-use std::borrow::Cow;
-use std::cell::RefCell;
 use std::io::{Cursor, SeekFrom};
-use std::ops::Range;
+use std::{borrow::Cow, cell::RefCell, ops::Range};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CellFault {
@@ -236,7 +234,6 @@ impl CsvRows {
     }
 }
 
-/// The bytes of a row's cells.
 struct RowBounds {
     cells: Vec<CellBounds>,
     /// Bytes up to the row's line end.

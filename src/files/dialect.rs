@@ -41,8 +41,7 @@ impl Encoding {
         }
     }
 
-    /// The text of a whole file.
-    /// Errors: the line of the first bytes that are no text.
+    /// The text of a whole file. Errors: the line of the first bytes that are no text.
     pub fn text(bytes: &[u8]) -> Result<String, usize> {
         let (text, _, broken) = Self::decode(bytes);
         let before = &text[..text.find(char::REPLACEMENT_CHARACTER).unwrap_or(text.len())];

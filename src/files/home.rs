@@ -1,16 +1,11 @@
 //! Files of this program's home, by free functions.
 
-use super::cells::CellFault;
-use super::dialect::Encoding;
-use super::read::Symlinks;
 use super::storage::{FileKind, Found, Lock, Manner, Storage};
+use super::{cells::CellFault, dialect::Encoding, read::Symlinks};
 use crate::words::tr;
-use std::ffi::OsString;
-use std::io;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::{ffi::OsString, io, time::Duration};
 
-/// The most numbered files of one name.
 const MOST_OF_A_NAME: u32 = 10_000;
 
 #[cfg(not(all(browser, feature = "window")))]
@@ -65,11 +60,8 @@ pub fn resolve(path: &Path) -> io::Result<PathBuf> {
     home().resolve(path)
 }
 
-/// At most `at_most` bytes. A file that the caller of the program has passed on open (`/dev/stdin`, `/dev/fd/3`) may be of any
-/// kind.
-///
-/// # Errors
-/// As [`Storage::read`].
+/// At most `at_most` bytes. A file that the caller of the program has passed on open (`/dev/stdin`, `/dev/fd/3`) may be of any kind. Errors: as
+/// [`Storage::read`].
 pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
     read_with(path, at_most, Symlinks::Followed)
 }
@@ -92,7 +84,6 @@ pub fn text(bytes: &[u8]) -> io::Result<String> {
     })
 }
 
-/// `None` where there is no such file.
 fn if_there<T>(read: io::Result<T>) -> io::Result<Option<T>> {
     match read {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
@@ -144,10 +135,7 @@ pub fn make_shared_folder(path: &Path) -> io::Result<()> {
     home().make_shared_folder(path)
 }
 
-/// As [`Storage::create_folder`].
-///
-/// # Errors
-/// [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the home's. Nothing is left behind then.
+/// As [`Storage::create_folder`]. Errors: [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the home's. Nothing is left behind then.
 pub fn create_folder(path: &Path, fill: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
     let mut fill = Some(fill);
     home().create_folder(path, &mut |begun| fill.take().map_or(Ok(()), |fill| fill(begun)))
@@ -173,10 +161,8 @@ pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
 }
 
 impl Lock {
-    /// Locks a file, and makes it where there is none, for every user who may write in its folder.
-    ///
-    /// # Errors
-    /// [`io::ErrorKind::WouldBlock`] where another program holds it for longer than `patience`; no regular file; the home's.
+    /// Locks a file, and makes it where there is none, for every user who may write in its folder. Errors: [`io::ErrorKind::WouldBlock`] where
+    /// another program holds it for longer than `patience`; no regular file; the home's.
     pub fn wait(path: &Path, patience: Duration) -> io::Result<Self> {
         home().lock(path, patience)
     }

@@ -3,12 +3,9 @@
 use super::read::{Symlinks, too_large};
 use super::storage::{FileKind, Found, Lock, Manner, Storage};
 use crate::words::tr;
-use std::collections::BTreeSet;
-use std::ffi::OsString;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::io;
 use std::path::{Component, Path, PathBuf};
-use std::time::Duration;
+use std::{collections::BTreeSet, ffi::OsString, io, time::Duration};
 
 /// The reason why a value is not kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -9,8 +9,7 @@ use std::path::Path;
 pub enum Symlinks {
     /// The file at the link's end.
     Followed,
-    /// The link itself: it is no file to read, and a new file replaces it. For hidden files of the game, in a folder that a
-    /// stranger may own.
+    /// The link itself: it is no file to read, and a new file replaces it. For hidden files of the game, in a folder that a stranger may own.
     Never,
 }
 
@@ -31,8 +30,7 @@ pub(super) fn read_file(path: &Path, at_most: u64, links: Symlinks) -> io::Resul
     if bytes.len() as u64 > at_most { Err(too_large(None, at_most)) } else { Ok(bytes) }
 }
 
-/// Opens an existing regular file only: a pipe waits for its other end, and a device may act on being opened.
-/// Errors: no regular file; the system's.
+/// Opens an existing regular file only: a pipe waits for its other end, and a device may act on being opened. Errors: no regular file; the system's.
 pub(super) fn open(options: &OpenOptions, path: &Path, links: Symlinks) -> io::Result<(File, Metadata)> {
     judge(&match links {
         Symlinks::Followed => fs::metadata(path)?,

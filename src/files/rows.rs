@@ -5,9 +5,7 @@ use super::dialect::{Dialect, said, whole};
 use crate::words::tr;
 use csv::StringRecord;
 use serde::de::DeserializeOwned;
-use std::borrow::Cow;
-use std::fmt::Display;
-use std::str::FromStr;
+use std::{borrow::Cow, fmt::Display, str::FromStr};
 
 #[derive(Clone, Copy, Debug)]
 pub struct CsvFile<'a> {

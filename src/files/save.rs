@@ -5,10 +5,8 @@
 use super::storage::Manner;
 use super::{Lock, PATIENCE, Symlinks, around, behind_links, is_read_only, make_folder, read_if_there, replace_with};
 use crate::words::tr;
-use std::ffi::OsString;
-use std::fmt;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{ffi::OsString, fmt, io};
 
 /// The file on disk is as it was before.
 #[derive(Debug)]

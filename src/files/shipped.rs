@@ -3,14 +3,9 @@
 
 use super::read::{Symlinks, too_large};
 use super::storage::{Disk, FileKind, Found, Lock, Manner, Storage};
-use crate::built_in::SHIPPED;
-use crate::words::tr;
-use std::collections::BTreeSet;
-use std::ffi::OsString;
-use std::io;
+use crate::{built_in::SHIPPED, words::tr};
 use std::path::{Component, Path, PathBuf};
-use std::sync::OnceLock;
-use std::time::Duration;
+use std::{collections::BTreeSet, ffi::OsString, io, sync::OnceLock, time::Duration};
 
 static ABOVE_SHIPPED: OnceLock<AboveShipped<Disk>> = OnceLock::new();
 
@@ -102,12 +97,14 @@ impl<H: Storage> AboveShipped<H> {
         shipped: impl FnOnce(ShippedItem) -> io::Result<T>,
     ) -> io::Result<T> {
         match answer {
-            Err(error) if is_missing(&error) => match self.shipped(path) {
-                Some(item) => shipped(item),
-                // A user's folder below a file: what it lacks is simply not there.
-                None if error.kind() == io::ErrorKind::NotADirectory && !self.lessons => Err(io::ErrorKind::NotFound.into()),
-                None => Err(error),
-            },
+            Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
+                match self.shipped(path) {
+                    Some(item) => shipped(item),
+                    // A user's folder below a file: what it lacks is simply not there.
+                    None if error.kind() == io::ErrorKind::NotADirectory && !self.lessons => Err(io::ErrorKind::NotFound.into()),
+                    None => Err(error),
+                }
+            }
             answer => answer,
         }
     }
@@ -121,10 +118,6 @@ impl<H: Storage> AboveShipped<H> {
     fn refuse_taken(&self, path: &Path) -> io::Result<()> {
         self.shipped(path).map_or(Ok(()), |_| Err(io::ErrorKind::AlreadyExists.into()))
     }
-}
-
-fn is_missing(error: &io::Error) -> bool {
-    matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory)
 }
 
 /// The number of the first shipped file at or below a path, and the beginning of the paths below it.

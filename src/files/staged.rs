@@ -32,8 +32,7 @@ pub struct Replacement {
 }
 
 impl Replacement {
-    /// Begins new content for `path`, which need not exist yet.
-    /// Errors: a read-only file; no regular file; a link without a target; the system's.
+    /// Begins new content for `path`, which need not exist yet. Errors: a read-only file; no regular file; a link without a target; the system's.
     pub fn begin(path: &Path, links: Symlinks) -> io::Result<Self> {
         let (target, found) = target(path, links)?;
         // Other users cannot read the new content before it has the old file's mode.
@@ -245,8 +244,7 @@ fn builder(mode: u32) -> Builder<'static, 'static> {
     builder
 }
 
-/// Locks a staged file. `false` where a sweep came between and holds the lock or has removed the path. A file system without locks
-/// has no sweeps.
+/// Locks a staged file. `false` where a sweep came between and holds the lock or has removed the path. A file system without locks has no sweeps.
 fn holds(staged: &File, path: &Path) -> bool {
     !matches!(staged.try_lock(), Err(TryLockError::WouldBlock)) && fs::symlink_metadata(path).is_ok()
 }

@@ -42,8 +42,7 @@ pub struct Manner {
 }
 
 pub trait Storage: Sync {
-    /// # Errors
-    /// [`io::ErrorKind::NotFound`]; the home's.
+    /// Errors: [`io::ErrorKind::NotFound`]; the home's.
     fn look(&self, path: &Path, links: Symlinks) -> io::Result<Found>;
 
     /// The names in a folder, in any order.
@@ -52,19 +51,13 @@ pub trait Storage: Sync {
     /// The path without links and dots.
     fn resolve(&self, path: &Path) -> io::Result<PathBuf>;
 
-    /// At most `at_most` bytes.
-    ///
-    /// # Errors
-    /// No regular file, or a larger one; the home's.
+    /// At most `at_most` bytes. Errors: no regular file, or a larger one; the home's.
     fn read(&self, path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>>;
 
     /// Makes or replaces a file. After an error the old content is in its place.
     fn replace(&self, path: &Path, bytes: &[u8], manner: Manner) -> io::Result<()>;
 
-    /// Makes a file where there is none.
-    ///
-    /// # Errors
-    /// [`io::ErrorKind::AlreadyExists`]; the home's. Nothing is left behind then.
+    /// Makes a file where there is none. Errors: [`io::ErrorKind::AlreadyExists`]; the home's. Nothing is left behind then.
     fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 
     /// Writes a new file of a folder that [`Storage::create_folder`] fills, which makes it durable with all others.
@@ -188,8 +181,7 @@ fn changed(_: &Metadata) -> u64 {
 /// A write takes milliseconds: a process that holds a lock for longer hangs.
 pub const PATIENCE: Duration = Duration::from_secs(2);
 
-/// Between two looks at a held lock. Where many processes save without end, each gets its turn by luck: with longer pauses some
-/// would come too late.
+/// Between two looks at a held lock. Where many processes save without end, each gets its turn by luck: with longer pauses some would come too late.
 const PAUSE: Duration = Duration::from_millis(1);
 
 /// Held until the value is dropped.

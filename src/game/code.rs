@@ -13,10 +13,7 @@
 //! The hashes of the seconds are left out: a proof compares the last state alone.
 
 use super::clock::{Controls, TICK_RATE};
-use super::event::Outcome;
-use super::fingerprint::LevelHash;
-use super::inputs::Inputs;
-use super::replay::Replay;
+use super::{event::Outcome, fingerprint::LevelHash, inputs::Inputs, replay::Replay};
 use crate::words::tr;
 use base64::Engine;
 use base64::prelude::BASE64_URL_SAFE_NO_PAD;

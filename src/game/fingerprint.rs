@@ -9,8 +9,7 @@ use crate::physics::{Aabb, DVec2, LinkDef, LinkEnd, Material, Sides};
 use csv::{Writer, WriterBuilder};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
-use std::fmt;
-use std::str::FromStr;
+use std::{fmt, str::FromStr};
 
 /// Hex digits of a hash in a message.
 const SHORT: usize = 16;

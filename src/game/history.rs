@@ -1,14 +1,13 @@
-//! A flight that can go back: its inputs, and copies of the game from which any tick is flown again, bit for bit. Copies stand at equal distances.
-//! Beyond the most copies every second one goes and the distance doubles: memory stays bounded, and the flight from a copy to a tick grows with the
-//! whole flight's length only. A flight that the same controls fly again in another level: an experiment that changes one thing. A long one takes
-//! several frames. What becomes of a level in which nobody presses a key.
+//! A flight that can go back: its inputs, and copies of the game from which any tick is flown again, bit for bit. Copies stand at equal distances;
+//! beyond the most copies every second one goes and the distance doubles: memory stays bounded.
+//! A flight that the same controls fly again in another level, an experiment that changes one thing; a long one takes several frames.
+//! What becomes of a level in which nobody presses a key.
 
-use super::attempt::Game;
 use super::clock::{Controls, TICK_RATE};
 use super::event::{GameError, Outcome};
 use super::inputs::{Inputs, Playback};
 use super::replay::{Recorder, Replay};
-use super::ship::SHIP;
+use super::{attempt::Game, ship::SHIP};
 use crate::level::Level;
 use std::sync::Arc;
 

@@ -1,5 +1,6 @@
-//! The impacts of the last half second, because one tick is too short to read. Time is the game's: impacts stand still in a pause. No rule depends on
-//! them. Touching objectives, pods and death boxes. The number of times the ship has pushed objects, for a mark of few pushes.
+//! The impacts of the last half second of the game, because one tick is too short to read. No rule depends on them.
+//! Touching objectives, pods and death boxes.
+//! The number of times the ship has pushed objects, for a mark of few pushes.
 
 use super::ship::SHIP;
 use crate::level::{SHIP_HALF, sweep_touches};

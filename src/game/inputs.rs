@@ -14,14 +14,12 @@ use crate::files::{BadCell, CsvColumn, CsvFile, CsvRow, CsvStruct, Dialect, foun
 use crate::words::tr;
 use csv::WriterBuilder;
 use serde::{Deserialize, Serialize, Serializer};
-use std::borrow::Cow;
-use std::fmt;
+use std::{borrow::Cow, fmt};
 
 pub const HEADER: &str = "ticks,thrust,reverse,left,right";
 /// Three months at the game's rate: more is a slip of the pen.
 pub const MOST_TICKS: u64 = 1_000_000_000;
 
-/// The most problems in the report about a file.
 const MOST_PROBLEMS: usize = 1000;
 
 /// A refused file: each problem on a line `file:line: column "name": found …, expected …`.
@@ -87,9 +85,8 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// `file` is the file's name in messages.
-    /// Errors: a missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is neither 0 nor 1, more than
-    /// [`MOST_TICKS`] in all.
+    /// `file` is the file's name in messages. Errors: a missing header, a wrong number of cells, ticks that are no whole number from 1, a key that is
+    /// neither 0 nor 1, more than [`MOST_TICKS`] in all.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let columns: Vec<&str> = HEADER.split(',').collect();
         let mut rows = CsvFile { name: file, columns: &columns, comments: true }.rows_of::<InputRow>(text.as_bytes());
@@ -182,7 +179,6 @@ impl IntoIterator for Inputs {
 #[derive(Clone, Debug)]
 pub struct Playback {
     rows: std::vec::IntoIter<HeldKeys>,
-    /// The rest of the current row.
     row: HeldKeys,
 }
 

@@ -1,10 +1,8 @@
 //! Switches, fragile blocks and pods, tick by tick. A switch that is pressed at a tick's end works its parts as the next tick begins: until then
-//! forces and motions are those of one world. A fragile block takes the blow that breaks it, and is gone after that tick. The state of the
-//! objectives: touch, hold time and turn.
+//! forces and motions are those of one world. A fragile block takes the blow that breaks it, and is gone after that tick.
+//! The state of the objectives: touch, hold time and turn.
 
-use super::event::GameEvent;
-use super::impacts::TOUCH;
-use super::ship::SHIP;
+use super::{event::GameEvent, impacts::TOUCH, ship::SHIP};
 use crate::level::{Level, Objective, ObjectiveKind, Presser, SurfaceOf, Switch, SwitchStay, Wire, Worked};
 use crate::physics::{BodyId, Obstacle, World};
 

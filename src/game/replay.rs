@@ -21,13 +21,11 @@
 //!
 //! The comments of a record, `# name: value`: their place and their values.
 
-use super::attempt::Game;
 use super::clock::{Controls, TICK_RATES};
-use super::event::Outcome;
 use super::fingerprint::{LevelHash, hex, level_hash};
 use super::inputs::{BadFile, Inputs};
-use crate::files::found_instead;
-use crate::words::tr;
+use super::{attempt::Game, event::Outcome};
+use crate::{files::found_instead, words::tr};
 use std::fmt;
 
 pub const PROGRAM: &str = concat!("resultant ", env!("CARGO_PKG_VERSION"));
@@ -166,8 +164,7 @@ pub(super) fn thousandths(seconds: f64) -> u64 {
 }
 
 impl Replay {
-    /// `file` is the file's name in messages.
-    /// Errors: as [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
+    /// `file` is the file's name in messages. Errors: as [`Inputs::parse`]; a `# name: value` line that is missing or unreadable.
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let mut notes = ReplayNotes::of(file, text);
         let program = notes.find("program", tr("a program's name and version"), |text| Some(text.to_owned()));

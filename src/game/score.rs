@@ -1,5 +1,6 @@
-//! The score of an attempt. The prizes of a completed flight: bronze for its end, silver and gold for its time, and the level's own mark. What marks
-//! for tricks ask for: burns, stars, and objectives met together.
+//! The score of an attempt.
+//! The prizes of a completed flight: bronze for its end, silver and gold for its time, and the level's own mark.
+//! What marks for tricks ask for: burns, stars, and objectives met together.
 
 use super::event::{GameEvent, Outcome};
 use super::impacts::{SHIP_BOX, has_passed};
@@ -16,7 +17,6 @@ const FUEL: f64 = 1_000.0;
 /// The share of the fuel that brings the whole bonus.
 const FULL_BONUS: f64 = 0.5;
 const COLLISION: i64 = -500;
-/// The least of a success.
 const LEAST: i64 = 1;
 /// A term that lacks less than this to the next point gets it, points: 0.9 s of 1 s would bring 999 points, because a tenth is no
 /// binary number. Far below the worth of a tick, far above rounding. So are a speed, m/s, over its limit, a share of the fuel below it,

@@ -1,14 +1,11 @@
-//! The ghost of a race: place of a recorded ship and times of its objectives, tick by tick. Its world is flown ahead of the race and apart from it: a
-//! ghost touches nothing. A record that is flown again, to compare where it leads with the written end.
+//! The ghost of a race: place of a recorded ship and times of its objectives, tick by tick. It touches nothing: its world is flown ahead of the race.
+//! A record that is flown again, to compare where it leads with the written end.
 
-use super::attempt::Game;
 use super::event::{GameError, GameEvent, Outcome};
-use super::fingerprint::level_hash;
 use super::inputs::{Inputs, Playback};
 use super::replay::{Mismatch, Replay, ended_second, thousandths};
-use super::ship::SHIP;
-use crate::level::Level;
-use crate::physics::DVec2;
+use super::{attempt::Game, fingerprint::level_hash, ship::SHIP};
+use crate::{level::Level, physics::DVec2};
 use std::sync::Arc;
 
 /// The nearest moment is looked for within these ticks: where a path crosses itself, farther ones are of another leg.

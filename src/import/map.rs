@@ -2,10 +2,8 @@
 
 use super::SourceFile;
 use super::tiled::{self, Properties, class, flag, list, number, properties, text};
-use crate::files;
-use crate::level::BACKGROUND;
 use crate::level::schema::{Kind, SETTINGS, Table};
-use crate::physics::DVec2;
+use crate::{files, level::BACKGROUND, physics::DVec2};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -248,8 +246,7 @@ pub fn table(word: &str) -> Option<Table> {
     Table::ALL.iter().copied().find(|table| *table != Table::Constants && stem(*table).eq_ignore_ascii_case(word))
 }
 
-/// Few rectangles, each left, top, width and height, that cover just these cells: rows of neighbours, of which equal ones below each other
-/// are one.
+/// Few rectangles, each left, top, width and height, that cover just these cells: rows of neighbours, of which equal ones below each other are one.
 fn merged(cells: BTreeSet<(i64, i64)>) -> Vec<[i64; 4]> {
     let mut by_row: Vec<(i64, i64)> = cells.into_iter().map(|(x, y)| (y, x)).collect();
     by_row.sort_unstable();

@@ -6,14 +6,12 @@ mod objects;
 mod tiled;
 
 use crate::files::{self, Manner, Symlinks};
-use crate::level::schema::Table;
 use crate::level::{self, Loaded, Problem, scaffold};
 use crate::pack::{self, Installed, Package};
-use crate::words::tr;
+use crate::{level::schema::Table, words::tr};
 use map::Reader;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
+use std::{collections::BTreeMap, time::SystemTime};
 
 /// Lists the files of a level that an import made.
 const LIST: &str = "imported.txt";
@@ -55,10 +53,8 @@ pub struct ImportedLevel {
     pub said: Vec<String>,
 }
 
-/// Takes in a file that was handed to the game: a map as a level of that name, or a level as one file.
-///
-/// # Errors
-/// Every problem, a line each; nothing is written then.
+/// Takes in a file that was handed to the game: a map as a level of that name, or a level as one file. Errors: every problem, a line each; nothing is
+/// written then.
 pub fn take_in(path: &Path, levels: &Path, project: &Path) -> Result<(Installed, Vec<String>), Vec<String>> {
     let named = |problem: &str| vec![format!("{}: {problem}", path.display())];
     let is = |wanted: &str| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(wanted));
@@ -78,10 +74,8 @@ pub fn take_in(path: &Path, levels: &Path, project: &Path) -> Result<(Installed,
     written(path, &name, levels, project).0.map(|written| (Installed::New(written.folder), written.said))
 }
 
-/// Makes a level of a map; `name` is the level's. With it the files that were read.
-///
-/// # Errors
-/// Every problem, a line each, with the layer and the object; nothing is written then.
+/// Makes a level of a map; `name` is the level's. With it the files that were read. Errors: every problem, a line each, with the layer and the
+/// object; nothing is written then.
 pub fn written(map: &Path, name: &str, levels: &Path, project: &Path) -> (Result<ImportedLevel, Vec<String>>, Vec<SourceFile>) {
     let imported = match read(map, name) {
         Ok(imported) => imported,
@@ -97,10 +91,7 @@ pub fn written(map: &Path, name: &str, levels: &Path, project: &Path) -> (Result
     (done, imported.sources)
 }
 
-/// Reads a map; `name` is the level's.
-///
-/// # Errors
-/// Every problem, a line each, with the layer and the object; and the files that were read.
+/// Reads a map; `name` is the level's. Errors: every problem, a line each, with the layer and the object; and the files that were read.
 fn read(path: &Path, name: &str) -> Result<Imported, (Vec<String>, Vec<SourceFile>)> {
     let mut reader = Reader::new(path);
     reader.read();
@@ -140,15 +131,11 @@ fn read(path: &Path, name: &str) -> Result<Imported, (Vec<String>, Vec<SourceFil
 }
 
 impl Imported {
-    /// Judges it as a level.
-    ///
-    /// # Errors
-    /// Every problem, a line each, with the layer and the object that it comes from.
+    /// Judges it as a level. Errors: every problem, a line each, with the layer and the object that it comes from.
     fn judge(&self, project: &Path) -> Result<Loaded, Vec<String>> {
         pack::load(&self.package, project).map_err(|problems| problems.iter().map(|problem| self.placed(problem)).collect())
     }
 
-    /// A problem by its layer and object.
     fn placed(&self, problem: &Problem) -> String {
         let origin = self.origins.iter().find(|((file, line), _)| *file == problem.file && *line == problem.line);
         let Some((_, origin)) = origin else { return problem.to_string() };
@@ -156,10 +143,8 @@ impl Imported {
         files::found_instead(&format!("{origin}: column {column:?}"), found, expected)
     }
 
-    /// Writes it as `levels/NAME/`, a new level or one that an import made; whatever else lies there stays. The answer is its folder.
-    ///
-    /// # Errors
-    /// A level of that name that no import made; the disk's, and each file is the old one or the new one.
+    /// Writes it as `levels/NAME/`, a new level or one that an import made; whatever else lies there stays. The answer is its folder. Errors: a level
+    /// of that name that no import made; the disk's, and each file is the old one or the new one.
     fn write(&self, levels: &Path) -> Result<PathBuf, String> {
         let Package { name, files } = &self.package;
         let folder = levels.join(name);

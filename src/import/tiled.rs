@@ -6,8 +6,7 @@ use base64::prelude::BASE64_STANDARD;
 use flate2::read::{GzDecoder, ZlibDecoder};
 use roxmltree::{Document, Node};
 use serde_json::{Map, Value};
-use std::collections::BTreeMap;
-use std::io::Read;
+use std::{collections::BTreeMap, io::Read};
 
 /// The most tiles of a layer.
 const MOST_TILES: u64 = 4 << 20;
@@ -126,10 +125,7 @@ pub fn properties(of: &Value) -> Properties {
     list(of, "properties").iter().filter(|property| text(property, "type") != "class").filter_map(plain).collect()
 }
 
-/// The global numbers of a layer's tiles, row by row.
-///
-/// # Errors
-/// In words, found and expected.
+/// The global numbers of a layer's tiles, row by row. Errors: in words, found and expected.
 pub fn tiles(layer: &Value) -> Result<Vec<u32>, String> {
     let side = |name| number(layer, name).filter(|side| (0.0..1e6).contains(side)).map_or(0, |side| side as u64);
     let count = side("width") * side("height");

@@ -8,9 +8,8 @@ use super::curve::{
 };
 use super::savings::{self, Saving};
 use super::stress::Survival;
-use crate::draw::chart::CurveOrigin;
 use crate::files::{CsvColumn, CsvRow, CsvStruct};
-use crate::physics::SOURCES;
+use crate::{draw::chart::CurveOrigin, physics::SOURCES};
 use serde::Deserialize;
 
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Eq)]
@@ -121,10 +120,7 @@ fn origin_word(origin: CurveOrigin) -> &'static str {
 }
 
 impl Charts {
-    /// `file` gives the text of a file, or a reason.
-    ///
-    /// # Errors
-    /// The first problem, with file and line where it has one.
+    /// `file` gives the text of a file, or a reason. Errors: the first problem, with file and line where it has one.
     pub fn read(file: impl Fn(&str) -> Result<String, String>) -> Result<Self, String> {
         let setting = rows(SETTING, &file(SETTING)?, &SETTING_HEAD)?;
         let Some(row) = setting.first() else { return Err(format!("{SETTING}: expected a row below the head, found none")) };

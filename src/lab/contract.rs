@@ -6,10 +6,8 @@
 //!
 //! Worlds of the shipped engine for the lab's models, with the game's defaults.
 
-use super::TOLERANCE;
-use super::curve::CoursePoint;
-use super::methods::impact::LineBlock;
 use super::methods::motion::{MotionLaw, PointState};
+use super::{TOLERANCE, curve::CoursePoint, methods::impact::LineBlock};
 use crate::physics::{Aabb, BodyDef, DVec2, FluidDef, Material, SurfaceDef, World, WorldDef};
 
 /// The name of the shipped engine in legends and tables.

@@ -9,10 +9,9 @@
 //! refusal names file, line and column.
 
 use super::methods::motion::{ADAPTIVE, tolerance};
-use crate::draw::chart::CurveOrigin;
 use crate::files::{CsvColumn, CsvFile, CsvRow, csv_line};
 use crate::number::{short, step};
-use crate::physics::SOURCES;
+use crate::{draw::chart::CurveOrigin, physics::SOURCES};
 
 /// One run of a method at one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,8 +140,7 @@ pub fn worst(errors: impl IntoIterator<Item = f64>) -> f64 {
     errors.into_iter().reduce(larger).unwrap_or(f64::NAN)
 }
 
-/// Thinned out, evenly spaced; the last moment stays. Each takes the largest error since the one before, and the energy furthest from
-/// 1.
+/// Thinned out, evenly spaced; the last moment stays. Each takes the largest error since the one before, and the energy furthest from 1.
 pub fn sampled(moments: impl Iterator<Item = CoursePoint>) -> Vec<CoursePoint> {
     let all: Vec<CoursePoint> = moments.collect();
     let every = all.len().div_ceil(MOMENTS).max(1);
@@ -176,22 +174,6 @@ pub struct Measured {
 }
 
 impl Measured {
-    #[cfg(test)]
-    pub(crate) fn of_curves(curves: Vec<MethodCurve>) -> Self {
-        Self {
-            name: "n".into(),
-            title: "A title".into(),
-            error: "error, m".into(),
-            work: "work, ns".into(),
-            tolerance: 1e-3,
-            shipped_step: 0.01,
-            alike: true,
-            note: String::new(),
-            curves,
-            over_time: None,
-        }
-    }
-
     /// Whether another build than this one was measured.
     pub fn is_stale(&self) -> bool {
         self.curves.iter().any(|curve| curve.origin != CurveOrigin::Peer && curve.version != SOURCES)
@@ -246,22 +228,17 @@ pub(super) fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) 
     csv_line(head) + &rows.into_iter().map(csv_line).collect::<String>()
 }
 
-/// # Errors
-/// The number is not within [`NUMBERS`].
+/// Errors: the number is not within [`NUMBERS`].
 pub(super) fn above_zero(row: &CsvRow<'_>, column: &str) -> Result<f64, String> {
     let expected = format!("a number above 0, from {:e} to {:e}", NUMBERS.start(), NUMBERS.end());
     row.parse(column, &expected, |value| NUMBERS.contains(value))
 }
 
-/// An error of a run: 0 or more, infinite, or not a number where the run blew up.
-///
-/// # Errors
-/// Anything else.
+/// An error of a run: 0 or more, infinite, or not a number where the run blew up. Errors: anything else.
 pub(super) fn error(row: &CsvRow<'_>) -> Result<f64, String> {
     row.parse("error", "an error of 0 or more, inf or NaN", |error: &f64| error.is_nan() || *error >= 0.0)
 }
 
-/// The names of columns.
 pub(super) const fn head<const N: usize>(columns: &[CsvColumn]) -> [&'static str; N] {
     let (mut names, mut i) = ([""; N], 0);
     while i < N {
@@ -276,7 +253,6 @@ pub(super) const fn of_words(name: &'static str) -> CsvColumn {
     CsvColumn { name, plain: |_, text| Ok(text.into()) }
 }
 
-/// A column of true and false.
 pub(super) const fn of_flags(name: &'static str) -> CsvColumn {
     CsvColumn {
         name,
@@ -296,25 +272,18 @@ pub(super) const fn of_amounts(name: &'static str) -> CsvColumn {
     }
 }
 
-/// # Errors
-/// A number that is none.
+/// Errors: a number that is none.
 pub(super) fn not_negative(row: &CsvRow<'_>, column: &str) -> Result<f64, String> {
     row.parse(column, "a number of 0 or more", |value: &f64| value.is_finite() && *value >= 0.0)
 }
 
-/// The columns of a measured point.
-///
-/// # Errors
-/// The first number that cannot be.
+/// The columns of a measured point. Errors: the first number that cannot be.
 pub(super) fn work_point(row: &CsvRow<'_>) -> Result<WorkPoint, String> {
     let (step, work) = (above_zero(row, "step")?, above_zero(row, "work")?);
     Ok(WorkPoint { step, work, spread: not_negative(row, "spread")?, error: error(row)? })
 }
 
-/// The rows of a file below its head.
-///
-/// # Errors
-/// The line of the first row that is not as long as the head.
+/// The rows of a file below its head. Errors: the line of the first row that is not as long as the head.
 pub(super) fn rows<'a>(file: &'a str, text: &str, head: &'a [&'a str]) -> Result<Vec<CsvRow<'a>>, String> {
     let csv = CsvFile { name: file, columns: head, comments: false };
     let mut rows = csv.rows(text.as_bytes());
@@ -336,6 +305,23 @@ pub(super) fn rows<'a>(file: &'a str, text: &str, head: &'a [&'a str]) -> Result
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    impl Measured {
+        pub(crate) fn of_curves(curves: Vec<MethodCurve>) -> Self {
+            Self {
+                name: "n".into(),
+                title: "A title".into(),
+                error: "error, m".into(),
+                work: "work, ns".into(),
+                tolerance: 1e-3,
+                shipped_step: 0.01,
+                alike: true,
+                note: String::new(),
+                curves,
+                over_time: None,
+            }
+        }
+    }
 
     #[test]
     fn half_of_the_runs_are_within_the_spread() {

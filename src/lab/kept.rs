@@ -1,18 +1,15 @@
 //! The charts that come with the game, as its authors measured them: the files of `docs/charts`. The game shows them where
 //! `resultant chart` has not been run.
 //!
-//! Other engines' points, from the file that `benches/peers` wrote: the same scenes, measured on one machine in one run. A scene of
-//! the lab gets their points into its diagram, a curve for each version and setting. Scenes that no method by hand could run make
-//! diagrams of their own.
+//! Other engines' points, from the file that `benches/peers` wrote: the same scenes, measured on one machine in one run. A scene of the lab gets
+//! their points into its diagram, a curve for each version and setting. Scenes that no method by hand could run make diagrams of their own.
 
-use super::TOLERANCE;
-use super::charts::Charts;
 use super::curve::{MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of, not_negative, rows, work_point};
+use super::{TOLERANCE, charts::Charts};
 use crate::draw::chart::CurveOrigin;
 use crate::files::{CsvRow, SHIPPED};
 
-/// # Errors
-/// As [`Charts::read`]: a file was damaged before the build.
+/// Errors: as [`Charts::read`]: a file was damaged before the build.
 pub fn charts() -> Result<Charts, String> {
     Charts::read(|name| {
         let path = format!("docs/charts/{name}");
@@ -59,10 +56,7 @@ fn has_size(scenes: &str, scene: &str) -> bool {
     scene.strip_prefix(scenes).and_then(|rest| rest.strip_prefix('-')).is_some_and(|size| size.parse::<u32>().is_ok())
 }
 
-/// `file` names the text.
-///
-/// # Errors
-/// File and line of the first row that cannot be read.
+/// `file` names the text. Errors: file and line of the first row that cannot be read.
 pub fn peer_rows(file: &str, text: &str) -> Result<Vec<PeerRow>, String> {
     let row = |row: CsvRow<'_>| {
         let word = |column| row.get(column).to_owned();
@@ -144,10 +138,8 @@ impl Family {
     }
 }
 
-/// Adds the peers' points to the diagrams of their scenes, and diagrams for the scenes of engines only; leaves out all other scenes.
-///
-/// # Errors
-/// More curves in a diagram than [`MOST_CURVES`].
+/// Adds the peers' points to the diagrams of their scenes, and diagrams for the scenes of engines only; leaves out all other scenes. Errors: more
+/// curves in a diagram than [`MOST_CURVES`].
 pub fn add_peers(peers: &[PeerRow], diagrams: &mut Vec<Measured>) -> Result<(), String> {
     let mut families = FAMILIES.map(|family| (family, None::<Measured>));
     for row in peers {
@@ -180,8 +172,7 @@ pub fn add_peers(peers: &[PeerRow], diagrams: &mut Vec<Measured>) -> Result<(), 
     Ok(())
 }
 
-/// The legend of a curve: the engine with its version and settings, of which a frequency is the stiffness of contacts; ours needs
-/// neither.
+/// The legend of a curve: the engine with its version and settings, of which a frequency is the stiffness of contacts; ours needs neither.
 fn curve_name(row: &PeerRow, sleeps: bool) -> String {
     if row.ours() {
         return row.engine.clone();

@@ -3,15 +3,13 @@
 //! What the pages say of what was measured: texts between marks, as in `<!-- chart:savings -->…<!-- end -->`. `resultant chart` writes
 //! them; a test compares them with the charts.
 
-use super::charts::Charts;
 use super::curve::{ALIKE, EXACT, Measured, MethodCurve, PI, WorkPoint, shortest, table};
-use super::kept::PeerRow;
 use super::savings::{self, Saving, TITLE as SAVINGS};
 use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, SVG, TITLE, limit};
+use super::{charts::Charts, kept::PeerRow};
 use crate::draw::chart::CurveOrigin;
 use crate::number::{short, step};
-use std::collections::BTreeSet;
-use std::fmt::Write;
+use std::{collections::BTreeSet, fmt::Write};
 
 /// The shipped engine's cost in a scene, beside the cheapest there.
 struct SceneVerdict<'a> {
@@ -196,10 +194,7 @@ pub struct PageFigures<'a> {
 }
 
 impl PageFigures<'_> {
-    /// The page with the present texts between its marks.
-    ///
-    /// # Errors
-    /// A mark without an end, or of something that was not measured.
+    /// The page with the present texts between its marks. Errors: a mark without an end, or of something that was not measured.
     pub fn fill(&self, page: &str) -> Result<String, String> {
         let mut parts = page.split(BEGIN);
         let mut text = parts.next().unwrap_or_default().to_owned();
@@ -306,7 +301,6 @@ impl PageFigures<'_> {
         ))
     }
 
-    /// Every scene at the usual step and settings.
     fn table(&self) -> Option<String> {
         let mut text = "\n\n| scene | Resultant, ns | spread | the fastest other takes | its error | Resultant's |\n|---|---|---|---|---|---|\n".to_owned();
         let mut scenes: Vec<&str> = self.peers.iter().map(|row| row.scene.as_str()).collect();

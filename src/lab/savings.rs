@@ -2,10 +2,9 @@
 //! would cost to run them all.
 
 use super::curve::{above_zero, not_negative, rows, shortest, table};
-use crate::files::CsvRow;
 use crate::game::{Controls, Game, TICK_RATE};
-use crate::number::short;
 use crate::physics::{OPTIONAL, Plan, World};
+use crate::{files::CsvRow, number::short};
 use std::fmt::Write;
 
 pub const FILE: &str = "savings.csv";
@@ -138,8 +137,7 @@ pub fn csv(savings: &[Saving]) -> String {
     table(&HEAD, savings.iter().map(row))
 }
 
-/// # Errors
-/// File and line of the first row that cannot be read.
+/// Errors: file and line of the first row that cannot be read.
 pub fn read(text: &str) -> Result<Vec<Saving>, String> {
     let saving = |row: CsvRow<'_>| {
         let word = |column| row.get(column).to_owned();

@@ -1,16 +1,13 @@
-//! Methods on the same scene at the same time, to be watched: boxes that move, a step at a time, and their exact places; without
-//! their drawing.
+//! Methods on the same scene at the same time, to be watched: boxes that move, a step at a time, and their exact places; without their drawing.
 
 use super::contract::{By, Model, contenders};
-use super::methods::chain::Chain;
-use super::methods::impact::LineBlock;
 use super::methods::motion::{MotionStep, PointState};
 use super::methods::{INTEGRATORS, METHODS};
 use super::scenes::bouncing::{self, BouncingBall};
 use super::scenes::collisions::{self, BlockLine};
 use super::scenes::flight::{self, FlyingBody};
-use super::scenes::springs;
 use super::scenes::stacks::{self, ContactChain};
+use super::{methods::chain::Chain, methods::impact::LineBlock, scenes::springs};
 use crate::physics::{Aabb, DVec2};
 
 /// s. The player chooses among these steps.

@@ -11,16 +11,12 @@
 //!
 //! How the regions of stability look, and their edges as CSV, with their limits on the rays of a swing and of drag alone.
 
-use super::TICK;
 pub use super::contract::SHIPPED;
 use super::curve::{shortest, table};
-use super::methods::METHODS;
 use super::methods::motion::{ADAPTIVE, MotionLaw, MotionStep, PointState, third_order};
-use super::scenes::flight::LIGHT;
-use super::scenes::oscillator;
 use super::stress::{G, largest_to};
-use crate::physics::DVec2;
-use crate::words::tr;
+use super::{TICK, methods::METHODS, scenes::flight::LIGHT, scenes::oscillator};
+use crate::{physics::DVec2, words::tr};
 use std::collections::HashMap;
 
 /// The window: real parts, and imaginary parts. The plane below the real axis mirrors it.

@@ -1,25 +1,80 @@
 //! The things of a level's files, row by row, before the checks of the whole level.
+//! The reader of a level's files: their bytes, their rows, the things of the rows.
 
-use super::image;
-use super::image::BACKGROUND;
-use super::numbers::PixelScale;
+use super::image::{self, BACKGROUND, Files, Images};
 use super::problem::{Problem, at_most};
-use super::reader::LevelReader;
-use super::schema::settings::LevelSettings;
-use super::schema::typed::FromRow;
-use super::schema::{Table, blocks, bodies, zones};
+use super::schema::blocks::{self, UnboundLink};
+use super::schema::typed::{FromRow, RowCells, RowReader};
+use super::schema::{Table, bodies, zones};
+use super::table::{self, TableRows};
 use super::types::{
     AirStream, Decoration, Fluid, GravityZone, Level, Mark, Mover, Object, Objective, ObjectiveKind, Pod, ShipStart, Solid, Star,
     Switch, Text,
 };
-use super::unbound::{self, UnboundLink};
+use super::{numbers::PixelScale, schema::settings::LevelSettings};
+
 use crate::physics::{Aabb, DVec2};
 use crate::words::tr;
 use std::collections::BTreeSet;
+use std::io;
 use std::path::PathBuf;
 
 /// The most pairs of a shaded stream and a solid: some 10 ms.
 const MOST_PAIRS: usize = 4_000_000;
+
+pub(super) struct LevelReader<'a> {
+    pub files: &'a dyn Files,
+    pub rows: RowReader<'a>,
+    pub warnings: Vec<Problem>,
+    /// In words, of the files that are no UTF-8 with commas.
+    pub dialects: Vec<(&'static str, String)>,
+}
+
+impl<'a> LevelReader<'a> {
+    /// In an unfinished level a box stands in for a missing picture.
+    pub fn new(files: &'a dyn Files, unfinished: bool) -> Self {
+        let rows = RowReader { scale: PixelScale::USUAL, images: Images::new(files, unfinished), problems: Vec::new() };
+        Self { files, rows, warnings: Vec::new(), dialects: Vec::new() }
+    }
+
+    /// `None` where there is no such file, or where it cannot be read, which is reported.
+    fn bytes(&mut self, table: Table) -> Option<Vec<u8>> {
+        match self.files.level_file(table.file()) {
+            Ok(bytes) => Some(bytes),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => {
+                let found = tr!("a file that cannot be read ({error})", error);
+                self.rows.problems.push(table.rows()[0].problem(1, found, tr("a readable file")));
+                None
+            }
+        }
+    }
+
+    /// The rows of a file that a level must have; `expected` names these rows.
+    pub fn required(&mut self, table: Table, expected: &str) -> Option<TableRows> {
+        let before = self.rows.problems.len();
+        let bytes = self.bytes(table);
+        if bytes.is_none() && self.rows.problems.len() == before {
+            self.rows.problems.push(table.rows()[0].problem(1, tr("no file"), expected));
+        }
+        Some(self.read(table, &bytes?))
+    }
+
+    pub fn table(&mut self, table: Table) -> TableRows {
+        self.bytes(table).map_or_else(TableRows::default, |bytes| self.read(table, &bytes))
+    }
+
+    fn read(&mut self, table: Table, bytes: &[u8]) -> TableRows {
+        let rows = table::read(table.rows(), bytes, &mut self.rows.problems);
+        self.dialects.extend(rows.dialect.and_then(|dialect| Some((table.file(), dialect.words()?))));
+        rows
+    }
+
+    pub fn things<T>(&mut self, table: Table, read: fn(&RowCells, &mut RowReader) -> Option<T>) -> Vec<FromRow<T>> {
+        let records = self.table(table).records;
+        records.iter().filter_map(|record| Some(FromRow::new(record, read(record, &mut self.rows)?))).collect()
+    }
+}
 
 /// The things of readable rows, in metres.
 pub(super) struct Draft {
@@ -100,7 +155,6 @@ impl Draft {
         !self.streams.is_empty() || !self.fields.is_empty() || !self.fluids.is_empty()
     }
 
-    /// Whether there is a ship, or none is needed.
     pub const fn may_start(&self) -> bool {
         self.player.is_some() || self.settings.is_experiment()
     }
@@ -130,7 +184,7 @@ impl Draft {
             movers: items(self.movers),
             doors: items(self.doors),
             switches: items(self.switches),
-            links: unbound::bound(&self.links, &self.objects),
+            links: blocks::bound(&self.links, &self.objects),
             objects: items(self.objects),
             objectives: items(self.objectives),
             obstacles: items(self.obstacles),
@@ -214,7 +268,6 @@ fn objectives(reader: &mut LevelReader, experiment: bool, objects: &mut Vec<From
     objectives
 }
 
-/// A level with stars has them for its mark.
 fn stars(reader: &mut LevelReader, settings: &mut LevelSettings) -> Vec<FromRow<Star>> {
     let stars = reader.things(Table::Stars, zones::star);
     let Some(first) = stars.first() else { return stars };

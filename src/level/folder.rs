@@ -1,22 +1,18 @@
 //! The only part of the loader that knows the disk.
-//!
 //! Names of levels: a folder's name is also the name of its leaderboard's file.
 
-use super::image::Files;
 use super::problem::{Problem, quoted};
 use super::read::{Loaded, read, read_unfinished};
 use super::schema::{Kind, Table, Word};
-use super::table;
 use super::types::{Landscape, Look};
+use super::{image::Files, table};
 use crate::files::{self, CsvFile};
 use crate::words::tr;
-use std::cmp::Ordering;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{cmp::Ordering, io};
 
-/// Images are looked up in `folder`, then under `project`, the folder that holds `assets/` and `levels/`. The paths in the level can be
-/// opened as they are.
-/// Errors: every problem in every file; a folder that does not exist, or that has the name of another leaderboard, is one problem.
+/// Images are looked up in `folder`, then under `project`, the folder that holds `assets/` and `levels/`. The paths in the level can be opened as
+/// they are. Errors: every problem in every file; a folder that does not exist, or that has the name of another leaderboard, is one problem.
 pub fn load(folder: &Path, project: &Path) -> Result<Loaded, Vec<Problem>> {
     load_from(&LevelDisk { folder, project }, &LevelDisk { folder, project }, read)
 }
@@ -215,8 +211,7 @@ impl NameFault {
     }
 }
 
-/// Judges the name of a new level: a word of at most 40 letters, digits, `-` and `_` that begins with a letter or digit and is not taken
-/// in any case.
+/// Judges the name of a new level: a word of at most 40 letters, digits, `-` and `_` that begins with a letter or digit and is not taken in any case.
 pub fn judge_name(name: &str) -> Result<(), NameFault> {
     let word = name.chars().count() <= MAX_NAME
         && name.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_'))

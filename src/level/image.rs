@@ -1,24 +1,18 @@
 //! The source of the loader's bytes; and images as the loader needs them: whether a path stays in the project, whether there is a PNG, and its size.
-//!
 //! Winds that solids shade.
 
-use super::numbers::PixelScale;
-use super::problem::quoted;
 use super::types::{AirStream, Look};
-use crate::files;
-use crate::physics::Aabb;
-use crate::words::tr;
-use std::collections::BTreeMap;
-use std::io;
+use super::{numbers::PixelScale, problem::quoted};
+use crate::{files, physics::Aabb, words::tr};
 use std::path::{Path, PathBuf};
+use std::{collections::BTreeMap, io};
 
 /// The picture behind a level, in its folder.
 pub const BACKGROUND: &str = "background.png";
 
 /// A level's folder and its project, as the loader asks for their files.
 pub trait Files {
-    /// A file of the level folder, by name.
-    /// Errors: [`io::ErrorKind::NotFound`] where there is none; any other where it cannot be read.
+    /// A file of the level folder, by name. Errors: [`io::ErrorKind::NotFound`] where there is none; any other where it cannot be read.
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>>;
 
     /// A file of the project, by its path from the project's folder with forward slashes.

@@ -1,13 +1,10 @@
 //! What is wrong with the links of a level, beyond the form of their rows.
+//! Forces that are too strong for the masses on which they act.
 
-use super::draft::Draft;
 use super::problem::{MOST_PROBLEMS, Problem, at_most, meant, quoted};
-use super::schema::typed::FromRow;
-use super::schema::values::LinkRowEnd;
 use super::types::{LevelLink, SHIP_HALF, ShipStart};
-use super::unbound::MOST_LINKS;
-use super::winnable::judge;
-use crate::physics::domain::{MOST_DAMPING, MOST_STIFFNESS};
+use super::{draft::Draft, schema::blocks::MOST_LINKS, schema::typed::FromRow, schema::values::LinkRowEnd};
+use crate::physics::domain::{MOST_ACCELERATION, MOST_DAMPING, MOST_STIFFNESS};
 use crate::physics::{BodyId, DVec2, LinkDef, LinkEnd, LinkLaw};
 use crate::words::tr;
 
@@ -110,4 +107,40 @@ pub(super) fn load(def: &LinkDef, loads: &mut [(f64, f64)], body: impl Fn(BodyId
         }
     }
     None
+}
+
+/// The expected force, where one exceeds the limit for a body of that mass.
+pub(super) fn judge(force: f64, mass: f64) -> Option<String> {
+    (force.abs() > MOST_ACCELERATION * mass).then(|| {
+        tr!("at most {most} N, which is {acceleration} m/s²", most = MOST_ACCELERATION * mass, acceleration = MOST_ACCELERATION)
+    })
+}
+
+/// The ship, where its thrust is too strong for it, and every stream that is too strong for the lightest body.
+pub(super) fn check_strength(draft: &Draft) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    if let Some(ship) = &draft.player {
+        let (thrust, mass) = (ship.item.thrust, ship.item.mass);
+        if let Some(expected) = judge(thrust, mass) {
+            problems.push(ship.problem("thrust", tr!("{thrust} N on a ship of {mass} kg", thrust, mass), expected));
+        }
+    }
+    let ship = draft.player.iter().map(|ship| ship.map(|ship| ship.mass));
+    let masses = ship.chain(draft.objects.iter().map(|object| object.map(|object| object.mass)));
+    let Some(lightest) = masses.min_by(|a, b| a.item.total_cmp(&b.item)) else { return problems };
+    for fluid in draft.fluids.iter().filter(|_| draft.settings.row.gravity_x != 0.0) {
+        let expected = tr("no fluids.csv where constants.csv gives a gravity_x: the surface of a liquid is level");
+        problems.push(fluid.problem("x", tr("a liquid beside gravity to the side"), expected));
+    }
+    for stream in &draft.streams {
+        let force = stream.item.force;
+        for (column, force) in [("force_x", force.x), ("force_y", force.y)] {
+            if let Some(expected) = judge(force, lightest.item) {
+                let (file, line, mass) = (lightest.file, lightest.line, lightest.item);
+                let found = tr!("{force} N, with {mass} kg in {file}:{line}", force, mass, file, line);
+                problems.push(stream.problem(column, found, expected + tr(" for what is lightest")));
+            }
+        }
+    }
+    problems
 }

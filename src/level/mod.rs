@@ -1,5 +1,6 @@
-//! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. `table` finds the columns of cells, the rows of `schema` become things of `draft`, and `read` makes the level. `names`, `links`, `strength`, `placement`, `reach` and `winnable`
-//! refuse levels; `gates` and `certain` warn. Only `folder`, `scaffold` and `document` know the disk.
+//! Level folders: CSV text becomes a valid [`Level`], or the list of all its [`Problem`]s. `table` finds the columns of cells, the rows of `schema`
+//! become things of `draft`, and `read` makes the level. `names`, `links`, `placement` and `winnable` refuse levels; `certain` warns, with
+//! `gates` among its checks, and `reach` fills the free space for both. Only `folder`, `scaffold` and `document` know the disk.
 
 mod certain;
 pub mod document;
@@ -15,13 +16,11 @@ mod placement;
 mod problem;
 mod reach;
 mod read;
-mod reader;
 mod route;
 pub mod scaffold;
 pub mod schema;
 mod table;
 mod types;
-mod unbound;
 mod varied;
 mod winnable;
 mod wiring;

@@ -61,7 +61,6 @@ pub(super) const MEDAL_TIME: NumberRange = NumberRange::new(1e-3, 1e9, "s");
 pub(super) const MARK_COUNT: NumberRange = NumberRange::new(0.0, 1e6, "");
 pub(super) const MARK_FUEL: NumberRange = NumberRange::new(0.0, 100.0, "% of the fuel left");
 pub(super) const MARK_SPEED: NumberRange = NumberRange::new(1e-3, 1e4, "m/s");
-/// 0 or 1.
 pub(super) const YES: NumberRange = NumberRange { gap: 1.0, ..NumberRange::new(0.0, 1.0, "") };
 
 impl NumberRange {
@@ -73,8 +72,7 @@ impl NumberRange {
         Self::new(low, high, unit)
     }
 
-    /// The number that a cell holds.
-    /// Errors: the text is no finite number, or it lies outside the range; the number that is expected instead.
+    /// The number that a cell holds. Errors: the text is no finite number, or it lies outside the range; the number that is expected instead.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
         let value = number(text)?;
         self.judge(value).map(|()| value)
@@ -144,7 +142,6 @@ pub(super) fn number(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A limit as people write it.
 fn short(value: f64) -> String {
     if value != 0.0 && !(1e-3..1e6).contains(&value.abs()) { format!("{value:e}") } else { value.to_string() }
 }
@@ -203,8 +200,7 @@ impl PixelScale {
         self.rectangle(min, max)
     }
 
-    /// A rectangle between two opposite corners in pixels. Each edge is scaled by itself, so that edges which share a pixel share
-    /// every bit.
+    /// A rectangle between two opposite corners in pixels. Each edge is scaled by itself, so that edges which share a pixel share every bit.
     pub fn rectangle(&self, a: DVec2, b: DVec2) -> Aabb {
         Aabb::new(a.min(b) / self.metre, a.max(b) / self.metre)
     }

@@ -3,21 +3,16 @@
 //! A static tree of boxes that finds the boxes that a box touches. A node parts its boxes at the median of their centres along its longer
 //! side. Nodes lie in the order of a descent, each with the index of the node that follows a miss: a search is one loop without a stack.
 
-use super::draft::Draft;
 use super::problem::{MOST_PROBLEMS, Problem, at_most};
-use super::reach::{FreeSpace, SearchWork};
-use super::schema::typed::FromRow;
-use super::types::{Fluid, SHIP_HALF, ShipStart, Solid};
+use super::reach::{FreeSpace, OVERLAP, SearchWork};
+use super::types::{Fluid, SHIP_HALF, Solid};
 use super::wiring::{SwitchesByName, Worked};
+use super::{draft::Draft, schema::typed::FromRow};
 use crate::number::{fixed, trimmed};
 use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_LIQUIDS, MOST_ZONES};
 use crate::physics::{Aabb, DVec2, Sides};
 use crate::words::tr;
 use std::rc::Rc;
-
-/// The most that things overlap at the start, m: pixels that touch overlap by rounding. The engine would push apart a larger overlap at the
-/// first tick.
-const OVERLAP: f64 = 1e-6;
 
 /// Its name in messages, and its box.
 type Named = (&'static str, FromRow<Aabb>);
@@ -147,23 +142,11 @@ fn outside(name: &str, body: &FromRow<Aabb>, draft: &Draft) -> Option<Problem> {
     Some(body.problem(column, found, tr!("all of it between 0 and {size} pixels, the level's {side}", size, side)))
 }
 
-/// The objects that the ship cannot reach from its start. A link acts through rock.
-pub(super) fn warn(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
-    let bodies = draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5)).collect::<Vec<_>>();
-    let expected = tr("a route for the ship, or for an object that it can push");
-    let linked = |i: usize| {
-        let name = draft.objects[i].item.name.as_deref();
-        name.is_some() && draft.links.iter().any(|link| link.item.ends.iter().any(|end| end.object() == name))
-    };
-    let unreached = space.unreached((player.position, SHIP_HALF), &bodies, linked);
-    unreached.into_iter().map(|i| draft.objects[i].problem("x", tr("an object that no one can reach"), expected)).collect()
-}
-
 /// The space without rock, in a level of that size in metres.
 pub(super) fn space(draft: &Draft, size: DVec2, work: Rc<SearchWork>) -> FreeSpace {
     let rock = draft.world.iter().filter(|solid| solid.item.is_rock()).map(|solid| solid.item.bounds);
     let solids = rock.chain(draft.streams.iter().map(|stream| stream.item.source)).collect();
-    FreeSpace::new(Aabb::new(DVec2::ZERO, size), solids, OVERLAP, work)
+    FreeSpace::new(Aabb::new(DVec2::ZERO, size), solids, work)
 }
 
 /// The node is no leaf.

@@ -1,13 +1,9 @@
 //! A problem of a level: its place, the found and the expected.
-//!
 //! The known word that an author probably meant.
 
-use crate::files::found_instead;
-use crate::words::tr;
-use std::collections::BTreeMap;
-use std::fmt;
+use crate::{files::found_instead, words::tr};
+use std::{collections::BTreeMap, fmt};
 
-/// How many characters of an author's cell a message quotes.
 const QUOTED_CHARACTERS: usize = 40;
 
 /// It prints on one line, whatever the author's cells hold: `file:line: column "name": found …, expected …`.
@@ -32,11 +28,6 @@ impl Problem {
         expected: impl Into<String>,
     ) -> Self {
         Self { file: file.into(), line, column: column.into(), found: found.into(), expected: expected.into() }
-    }
-
-    /// Whether it is the lack of that file.
-    pub(super) fn is_no_file(&self, file: &str) -> bool {
-        self.file == file && self.found == tr("no file")
     }
 
     /// The problem with a file that has no lines and columns.
@@ -88,7 +79,6 @@ pub fn listed(problems: &[Problem]) -> Vec<String> {
     problems.iter().zip(numbers).filter_map(line).collect()
 }
 
-/// The most problems of a level that are listed.
 pub(super) const MOST_PROBLEMS: usize = 1000;
 
 /// Stands in place of all further problems.
@@ -96,7 +86,6 @@ pub(super) fn too_many(file: &str, line: usize) -> Problem {
     Problem::new(file, line, "all", tr("more problems from here on"), at_most(MOST_PROBLEMS))
 }
 
-/// In the place of what a level has too many of.
 pub(super) fn at_most(most: usize) -> String {
     tr!("at most {most} in a level", most)
 }

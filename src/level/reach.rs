@@ -1,20 +1,18 @@
-//! Objects that no body can ever touch: an exact flood fill of the free space, for a warning to authors.
+//! Where a box can get among solids: an exact flood fill of the free space.
 //!
-//! The centre of a box among solid rectangles moves like a point among those rectangles grown by the box's half size. The edges
-//! of the grown rectangles cut the level into a grid that is exact, whatever the sizes: its cells are the open intervals between
-//! two edges and, between them, the edges themselves (a box may slide through a gap of exactly its size).
-//!
-//! A body that is touched can be pushed, and may then touch others where the ship does not fit. A doubtful body counts as reached: objects
-//! are no obstacles to each other, and no body is too heavy to push.
+//! The centre of a box moves like a point among the solids grown by the box's half size. Their edges cut the level into a grid that is exact,
+//! whatever the sizes: its cells are the open intervals between two edges and, between them, the edges themselves (a box may slide through a
+//! gap of exactly its size). A doubtful place counts as reached: objects are no obstacles to each other, and none is too heavy to push.
 
 use crate::physics::{Aabb, DVec2};
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
-use std::rc::Rc;
+use std::{collections::BTreeMap, ops::RangeInclusive, rc::Rc};
 
+/// How far things may overlap at the start, m: pixels that touch overlap by rounding, which must not close a gap either.
+pub(super) const OVERLAP: f64 = 1e-6;
 /// The largest grid that is searched, cells: 4 million take about 50 ms.
 const MOST_CELLS: usize = 4_000_000;
-/// The most sizes of objects that are searched.
+/// The most sizes of boxes that are searched.
 const MOST_SIZES: usize = 16;
 /// The most cells that all searches of a level look at together.
 pub(super) const MOST_WORK: u64 = 20_000_000;
@@ -26,17 +24,14 @@ pub(super) struct SearchWork(Cell<u64>);
 impl SearchWork {
     /// Whether the budget allows `cells` more cells; takes them from it then.
     pub fn spend(&self, cells: usize) -> bool {
-        let spent = self.0.get().saturating_add(cells as u64);
-        let allowed = spent <= MOST_WORK;
-        if allowed {
-            self.0.set(spent);
-        }
+        let allowed = self.0.get() + cells as u64 <= MOST_WORK;
+        self.count(if allowed { cells } else { 0 });
         allowed
     }
 
     /// Counts looks that have a bound of their own.
     pub fn count(&self, looks: usize) {
-        self.0.set(self.0.get().saturating_add(looks as u64));
+        self.0.set(self.0.get() + looks as u64);
     }
 
     #[cfg(test)]
@@ -48,21 +43,9 @@ impl SearchWork {
 pub(super) struct FreeSpace {
     level: Aabb,
     solids: Vec<Aabb>,
-    /// How far boxes may overlap solids, m: rounding must not close a gap.
-    slack: f64,
     pub work: Rc<SearchWork>,
-    grids: RefCell<Vec<(DVec2, Option<Rc<Grid>>)>>,
-}
-
-/// Where the centre of a box of one size can be.
-struct Grid {
-    half: DVec2,
-    /// The edges, ascending, without repeats. Cell 2i + 1 is edge i, cell 2i the open interval before it.
-    x: Vec<f64>,
-    y: Vec<f64>,
-    /// The connected part of the free space that each cell belongs to, from 1; 0 where it is blocked. Row by row.
-    parts: Vec<u32>,
-    counts: RefCell<BTreeMap<u32, Rc<Counts>>>,
+    /// Of each size; `None` where the level is too large to search.
+    grids: RefCell<Vec<(DVec2, Option<Grid>)>>,
 }
 
 /// A connected part of the free space of one size: the index of its grid, and the part's number.
@@ -72,241 +55,167 @@ type FreePart = (usize, u32);
 pub(super) type CentredBox = (DVec2, DVec2);
 
 impl FreeSpace {
-    pub fn new(level: Aabb, solids: Vec<Aabb>, slack: f64, work: Rc<SearchWork>) -> Self {
-        Self { level, solids, slack, work, grids: RefCell::default() }
+    pub fn new(level: Aabb, solids: Vec<Aabb>, work: Rc<SearchWork>) -> Self {
+        Self { level, solids, work, grids: RefCell::default() }
     }
 
     pub fn with(&self, more: impl IntoIterator<Item = Aabb>) -> Self {
-        let solids = self.solids.iter().copied().chain(more).collect();
-        Self::new(self.level, solids, self.slack, self.work.clone())
+        Self::new(self.level, self.solids.iter().copied().chain(more).collect(), self.work.clone())
+    }
+
+    /// Whether a body gets to a place from which it touches a box; true where the level is too large to say, or the body starts in a solid.
+    pub fn gets_to(&self, body: CentredBox, target: &Aabb) -> bool {
+        let Some((grid, part)) = self.part(body) else { return true };
+        let grids = self.grids.borrow();
+        let Some(grid) = &grids[grid].1 else { return true };
+        grid.has(part, &grown(target, body.1 + OVERLAP), &self.work)
     }
 
     /// The indices of the bodies that neither the ship reaches nor a body that it pushes or that is `moved` otherwise; none where the level is
     /// too large to say.
     pub fn unreached(&self, ship: CentredBox, bodies: &[CentredBox], moved: impl Fn(usize) -> bool) -> Vec<usize> {
-        let mut halves = vec![ship.1];
-        for (_, half) in bodies {
-            if halves.len() <= MOST_SIZES && !halves.contains(half) {
-                halves.push(*half);
-            }
-        }
-        if bodies.is_empty() || halves.len() > MOST_SIZES {
+        let Some(parts) = bodies.iter().chain([&ship]).map(|body| self.part(*body)).collect::<Option<Vec<FreePart>>>() else {
             return Vec::new();
-        }
-        let Some(grids) = halves.into_iter().map(|half| self.grid(half)).collect::<Option<Vec<Rc<Grid>>>>() else {
-            return Vec::new();
-        };
-        let part_of = |(centre, half): &CentredBox| -> Option<FreePart> {
-            let grid = grids.iter().position(|grid| grid.half == *half)?;
-            Some((grid, grids[grid].part_at(*centre))).filter(|(_, part)| *part != 0)
         };
         let mut waiting: BTreeMap<FreePart, Vec<usize>> = BTreeMap::new();
-        for (i, body) in bodies.iter().enumerate() {
-            // A body in a blocked cell has been refused: it gets no warning.
-            if let Some(part) = part_of(body) {
-                waiting.entry(part).or_default().push(i);
-            }
-        }
-        let others = bodies.iter().enumerate().filter(|(i, _)| moved(*i)).filter_map(|(_, body)| part_of(body));
-        let mut reached: Vec<FreePart> = part_of(&ship).into_iter().chain(others).collect();
-        reached.iter().for_each(|part| drop(waiting.remove(part)));
-        while let Some((grid, part)) = reached.pop() {
-            let Some(from) = self.counts(&grids[grid], part) else { return Vec::new() };
-            let mut touched = Vec::new();
-            for (grid, part) in waiting.keys() {
-                let to = &grids[*grid];
-                if !self.work.spend(to.parts.len()) {
-                    return Vec::new();
-                }
-                if from.touches((to, *part), self.slack) {
-                    touched.push((*grid, *part));
-                }
-            }
-            for part in touched {
-                waiting.remove(&part);
-                reached.push(part);
-            }
+        (0..bodies.len()).for_each(|body| waiting.entry(parts[body]).or_default().push(body));
+        let mut reached: Vec<FreePart> =
+            (0..parts.len()).filter(|body| *body == bodies.len() || moved(*body)).map(|i| parts[i]).collect();
+        while let Some(from) = reached.pop() {
+            waiting.remove(&from);
+            waiting.retain(|part, _| {
+                let touched = self.touch(from, *part);
+                reached.extend(touched.then_some(*part));
+                !touched
+            });
         }
         let mut unreached: Vec<usize> = waiting.into_values().flatten().collect();
         unreached.sort_unstable();
         unreached
     }
 
-    /// Whether a body gets to a place from which it touches a box; true where the level is too large to say, or where the body starts in a
-    /// solid.
-    pub fn gets_to(&self, (centre, half): CentredBox, target: &Aabb) -> bool {
-        let Some(grid) = self.grid(half) else { return true };
-        let part = grid.part_at(centre);
-        if part == 0 || !self.work.spend(1) {
-            return true;
-        }
-        let Some(counts) = self.counts(&grid, part) else { return true };
-        let reach = half + self.slack;
-        counts.any_in(&Aabb::new(target.min - reach, target.max + reach))
+    /// Whether a box in one part can touch a box in another one.
+    fn touch(&self, (from, part): FreePart, (to, other): FreePart) -> bool {
+        let grids = self.grids.borrow();
+        let (Some(from), Some(to)) = (&grids[from].1, &grids[to].1) else { return true };
+        let mut cells = (0..to.parts.len()).filter(|cell| to.parts[*cell] == other);
+        !self.work.spend(to.parts.len())
+            || cells.any(|cell| from.has(part, &grown(&to.area(cell), from.half + to.half + OVERLAP), &self.work))
     }
 
-    /// `None` where the level is too large to search.
-    fn grid(&self, half: DVec2) -> Option<Rc<Grid>> {
-        if let Some((_, known)) = self.grids.borrow().iter().find(|(known, _)| *known == half) {
-            return known.clone();
-        }
-        let edges = 2 * self.solids.len() + 2;
-        let cells = (2 * edges + 1) * (2 * edges + 1);
-        let room = self.grids.borrow().len() < MOST_SIZES && cells <= MOST_CELLS;
-        let grid = (room && self.work.spend(cells)).then(|| Rc::new(self.build(half)));
-        self.grids.borrow_mut().push((half, grid.clone()));
-        grid
-    }
-
-    fn counts(&self, grid: &Rc<Grid>, part: u32) -> Option<Rc<Counts>> {
-        if let Some(known) = grid.counts.borrow().get(&part) {
-            return Some(known.clone());
-        }
-        if !self.work.spend(grid.parts.len()) {
-            return None;
-        }
-        let counts = Rc::new(Counts::new(grid, part));
-        grid.counts.borrow_mut().insert(part, counts.clone());
-        Some(counts)
-    }
-
-    fn build(&self, half: DVec2) -> Grid {
-        let grown: Vec<Aabb> = self
-            .solids
-            .iter()
-            .map(|solid| Aabb::new(solid.min - half + self.slack, solid.max + half - self.slack))
-            .filter(|grown| grown.min.cmplt(grown.max).all())
-            .collect();
-        let inside = Aabb::new(self.level.min + half - self.slack, self.level.max - half + self.slack);
-        let edges = |axis: fn(DVec2) -> f64| {
-            let mut edges: Vec<f64> = grown.iter().chain([&inside]).flat_map(|b| [axis(b.min), axis(b.max)]).collect();
-            edges.sort_unstable_by(f64::total_cmp);
-            edges.dedup();
-            edges
-        };
-        let (x, y) = (edges(|v| v.x), edges(|v| v.y));
-        let (columns, rows) = (2 * x.len() + 1, 2 * y.len() + 1);
-        let index = |edges: &[f64], value: f64| edges.partition_point(|edge| *edge < value);
-        // How many solids begin less how many end at each cell: a solid of any size costs four cells.
-        let mut begun = vec![0i32; (columns + 1) * (rows + 1)];
-        for solid in &grown {
-            // All cells strictly between two edges: the edges themselves stay free.
-            let (left, right) = (2 * index(&x, solid.min.x) + 2, 2 * index(&x, solid.max.x) + 1);
-            let (top, bottom) = (2 * index(&y, solid.min.y) + 2, 2 * index(&y, solid.max.y) + 1);
-            for (row, column, by) in [(top, left, 1), (top, right, -1), (bottom, left, -1), (bottom, right, 1)] {
-                begun[row * (columns + 1) + column] += by;
-            }
-        }
-        let (left, right) = (2 * index(&x, inside.min.x) + 1, 2 * index(&x, inside.max.x) + 1);
-        let (top, bottom) = (2 * index(&y, inside.min.y) + 1, 2 * index(&y, inside.max.y) + 1);
-        let mut blocked = vec![false; columns * rows];
-        let mut above = vec![0i32; columns];
-        for row in 0..rows {
-            let mut before = 0;
-            for column in 0..columns {
-                before += begun[row * (columns + 1) + column];
-                above[column] += before;
-                let outside = !(left..=right).contains(&column) || !(top..=bottom).contains(&row);
-                blocked[row * columns + column] = above[column] > 0 || outside;
-            }
-        }
-        Grid { half, x, y, parts: label(&blocked, columns), counts: RefCell::default() }
+    /// `None` where the level is too large to search, or the body starts in a solid.
+    fn part(&self, (centre, half): CentredBox) -> Option<FreePart> {
+        let known = self.grids.borrow().iter().position(|(known, _)| *known == half);
+        let mut grids = self.grids.borrow_mut();
+        let index = known.unwrap_or_else(|| {
+            let cells = (4 * self.solids.len() + 5).pow(2);
+            let search = grids.len() < MOST_SIZES && cells <= MOST_CELLS && self.work.spend(cells);
+            grids.push((half, search.then(|| Grid::new(half, &self.level, &self.solids))));
+            grids.len() - 1
+        });
+        let grid = grids[index].1.as_ref()?;
+        let [x, y] = grid.cells(&Aabb::new(centre, centre));
+        let part = grid.parts[y.start() * grid.columns() + x.start()];
+        (part != BLOCKED).then_some((index, part))
     }
 }
 
-/// Numbers the connected parts of the cells that are not blocked, from 1.
-fn label(blocked: &[bool], columns: usize) -> Vec<u32> {
-    let mut parts = vec![0; blocked.len()];
-    let mut last = 0;
-    let mut open = Vec::new();
-    for start in 0..blocked.len() {
-        if blocked[start] || parts[start] != 0 {
-            continue;
+/// Where the centre of a box of one size can be.
+struct Grid {
+    half: DVec2,
+    /// Of x and of y, ascending, without repeats. Cell 2i + 1 is edge i, cell 2i the open interval before it.
+    edges: [Vec<f64>; 2],
+    /// The connected part of the free space that each cell belongs to, row by row.
+    parts: Vec<u32>,
+}
+
+const BLOCKED: u32 = 0;
+/// Not yet in any part.
+const FREE: u32 = u32::MAX;
+
+impl Grid {
+    fn new(half: DVec2, level: &Aabb, solids: &[Aabb]) -> Self {
+        let grown = solids.iter().map(|solid| grown(solid, half - OVERLAP));
+        let grown: Vec<Aabb> = grown.filter(|grown| grown.min.cmplt(grown.max).all()).collect();
+        let inside = Aabb::new(level.min + half - OVERLAP, level.max - half + OVERLAP);
+        let edges = [0, 1].map(|axis| {
+            let mut edges: Vec<f64> = grown.iter().chain([&inside]).flat_map(|b| [b.min[axis], b.max[axis]]).collect();
+            edges.sort_unstable_by(f64::total_cmp);
+            edges.dedup();
+            edges
+        });
+        let mut grid = Self { half, edges, parts: Vec::new() };
+        let solids: Vec<_> = grown.iter().map(|solid| grid.cells(solid)).collect();
+        let [across, down] = grid.cells(&inside);
+        for row in 0..2 * grid.edges[1].len() + 1 {
+            // How many solids begin less how many end at each cell: an edge itself stays free.
+            let mut begun = vec![0; grid.columns()];
+            for [x, _] in solids.iter().filter(|[_, y]| (y.start() + 1..*y.end()).contains(&row)) {
+                begun[x.start() + 1] += 1;
+                begun[*x.end()] -= 1;
+            }
+            let mut over = 0;
+            grid.parts.extend(begun.iter().enumerate().map(|(column, begun)| {
+                over += begun;
+                if over == 0 && across.contains(&column) && down.contains(&row) { FREE } else { BLOCKED }
+            }));
         }
-        last += 1;
-        parts[start] = last;
-        open.push(start);
-        while let Some(cell) = open.pop() {
-            // The outermost cells lie outside the level and are blocked: no neighbour leaves the grid.
-            for next in [cell - 1, cell + 1, cell - columns, cell + columns] {
-                if !blocked[next] && parts[next] == 0 {
-                    parts[next] = last;
-                    open.push(next);
+        grid.flood();
+        grid
+    }
+
+    /// Numbers the connected parts of the free cells. The outermost cells lie outside the level and are blocked: no neighbour leaves the grid.
+    fn flood(&mut self) {
+        let (mut open, columns, mut part) = (Vec::new(), self.columns(), BLOCKED);
+        for start in 0..self.parts.len() {
+            part += u32::from(self.parts[start] == FREE);
+            open.push(start);
+            while let Some(cell) = open.pop() {
+                if self.parts[cell] == FREE {
+                    self.parts[cell] = part;
+                    open.extend([cell - 1, cell + 1, cell - columns, cell + columns]);
                 }
             }
         }
     }
-    parts
-}
 
-impl Grid {
-    /// The cell along one axis that holds `value`.
-    fn cell(edges: &[f64], value: f64) -> usize {
-        let before = edges.partition_point(|edge| *edge < value);
-        2 * before + usize::from(edges.get(before) == Some(&value))
+    fn columns(&self) -> usize {
+        2 * self.edges[0].len() + 1
     }
 
-    fn interval(edges: &[f64], cell: usize) -> (f64, f64) {
-        let before = |i: usize| i.checked_sub(1).map_or(f64::NEG_INFINITY, |i| edges[i]);
-        match cell % 2 {
-            1 => (edges[cell / 2], edges[cell / 2]),
-            _ => (before(cell / 2), edges.get(cell / 2).copied().unwrap_or(f64::INFINITY)),
-        }
-    }
-
-    /// Where the centres in a cell are; infinite at the outermost, which are blocked.
-    fn area(&self, cell: usize) -> Aabb {
-        let columns = 2 * self.x.len() + 1;
-        let (x, y) = (Self::interval(&self.x, cell % columns), Self::interval(&self.y, cell / columns));
-        Aabb { min: DVec2::new(x.0, y.0), max: DVec2::new(x.1, y.1) }
-    }
-
-    /// The part that a point belongs to; 0 where it is blocked.
-    fn part_at(&self, point: DVec2) -> u32 {
-        self.parts[Self::cell(&self.y, point.y) * (2 * self.x.len() + 1) + Self::cell(&self.x, point.x)]
-    }
-}
-
-/// How many cells of a part of a grid lie above and to the left of each corner: four look-ups count the cells in any rectangle. Row by row,
-/// one row and one column more than the grid.
-struct Counts {
-    count: Vec<u32>,
-    half: DVec2,
-    x: Vec<f64>,
-    y: Vec<f64>,
-}
-
-impl Counts {
-    fn new(grid: &Grid, part: u32) -> Self {
-        let columns = 2 * grid.x.len() + 1;
-        let at = |row: usize, column: usize| row * (columns + 1) + column;
-        let rows = grid.parts.len() / columns;
-        let mut count = vec![0u32; (columns + 1) * (rows + 1)];
-        for i in 0..grid.parts.len() {
-            let (row, column) = (i / columns, i % columns);
-            let others = count[at(row, column + 1)] + count[at(row + 1, column)] - count[at(row, column)];
-            count[at(row + 1, column + 1)] = others + u32::from(grid.parts[i] == part);
-        }
-        Self { count, half: grid.half, x: grid.x.clone(), y: grid.y.clone() }
-    }
-
-    /// Whether one of the cells has a point in a rectangle, its edges included.
-    fn any_in(&self, area: &Aabb) -> bool {
-        let columns = 2 * self.x.len() + 1;
-        let at = |row: usize, column: usize| self.count[row * (columns + 1) + column];
-        let (left, right) = (Grid::cell(&self.x, area.min.x), Grid::cell(&self.x, area.max.x) + 1);
-        let (top, bottom) = (Grid::cell(&self.y, area.min.y), Grid::cell(&self.y, area.max.y) + 1);
-        at(bottom, right) + at(top, left) > at(top, right) + at(bottom, left)
-    }
-
-    /// Whether the box in one of these cells can touch another grid's box in that part.
-    fn touches(&self, (other, part): (&Grid, u32), slack: f64) -> bool {
-        let reach = self.half + other.half + slack;
-        (0..other.parts.len()).filter(|i| other.parts[*i] == part).any(|i| {
-            let area = other.area(i);
-            self.any_in(&Aabb { min: area.min - reach, max: area.max + reach })
+    /// The columns and the rows of the cells that hold the points of a rectangle, its edges included.
+    fn cells(&self, area: &Aabb) -> [RangeInclusive<usize>; 2] {
+        [0, 1].map(|axis| {
+            let cell = |value: f64| {
+                let before = self.edges[axis].partition_point(|edge| *edge < value);
+                2 * before + usize::from(self.edges[axis].get(before) == Some(&value))
+            };
+            cell(area.min[axis])..=cell(area.max[axis])
         })
     }
+
+    /// The points of a free cell.
+    fn area(&self, cell: usize) -> Aabb {
+        let [x, y] = [cell % self.columns(), cell / self.columns()];
+        let at = |x: usize, y: usize| DVec2::new(self.edges[0][x / 2], self.edges[1][y / 2]);
+        Aabb::new(at(x - 1, y - 1), at(x, y))
+    }
+
+    /// Whether a part has a point in a rectangle, its edges included; true where a look would cost too much.
+    fn has(&self, part: u32, area: &Aabb, work: &SearchWork) -> bool {
+        let [columns, mut rows] = self.cells(area);
+        let cells = |row: usize| row * self.columns() + columns.start()..=row * self.columns() + columns.end();
+        rows.any(|row| !work.spend(columns.clone().count()) || self.parts[cells(row)].contains(&part))
+    }
+}
+
+pub(super) fn grown(bounds: &Aabb, by: DVec2) -> Aabb {
+    Aabb::new(bounds.min - by, bounds.max + by)
+}
+
+/// The points that two boxes share: none where its sides are negative.
+pub(super) fn shared(a: &Aabb, b: &Aabb) -> Aabb {
+    Aabb::new(a.min.max(b.min), a.max.min(b.max))
 }
 
 #[cfg(test)]
@@ -316,7 +225,7 @@ mod tests {
     fn space(solids: &[[f64; 4]]) -> FreeSpace {
         let aabb = |[x, y, w, h]: [f64; 4]| Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h));
         let solids = solids.iter().copied().map(aabb).collect();
-        FreeSpace::new(aabb([0.0, 0.0, 100.0, 100.0]), solids, 1e-6, Rc::default())
+        FreeSpace::new(aabb([0.0, 0.0, 100.0, 100.0]), solids, Rc::default())
     }
 
     fn body(x: f64, y: f64, half: f64) -> (DVec2, DVec2) {

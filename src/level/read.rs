@@ -1,19 +1,15 @@
 //! A level folder's files, put together: a valid level, or all its problems.
 
-use super::draft::Draft;
+use super::draft::{Draft, LevelReader};
 use super::image::{BACKGROUND, Files, png_size};
 use super::names::{self, Stray};
 use super::problem::{MOST_PROBLEMS, Problem, too_many};
-use super::reach::SearchWork;
-use super::reader::LevelReader;
 use super::schema::settings::{LevelSettings, SETTING, settings};
 use super::schema::{FILES, Table};
-use super::types::Level;
-use super::{certain, gates, links, placement, winnable};
-use crate::physics::DVec2;
-use crate::words::tr;
-use std::io;
-use std::rc::Rc;
+use super::winnable::{self, Checked};
+use super::{certain, links, placement, reach::SearchWork, types::Level};
+use crate::{physics::DVec2, words::tr};
+use std::{io, rc::Rc};
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loaded {
@@ -37,7 +33,7 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     let refused = |problems: Vec<Problem>| Err(in_order(problems.into_iter().chain(unused_sizes).collect()));
     problems.extend(names::check(&draft));
     problems.extend(links::check(&draft));
-    problems.extend(winnable::check_strength(&draft));
+    problems.extend(links::check_strength(&draft));
     problems.extend(placement::check_zones(&draft));
     problems.extend(placement::check(&draft, work));
     // A level without a readable player or size has a problem already.
@@ -46,29 +42,25 @@ fn read_counting(name: &str, files: &dyn Files, work: &Rc<SearchWork>) -> Result
     };
     let size = size / draft.scale.metre;
     warnings.extend(names::warn(&draft));
-    warnings.extend(winnable::warn_of_texts(&draft, size));
-    if let Some(player) = &draft.player {
+    warnings.extend(names::warn_of_texts(&draft, size));
+    if let Some(ship) = &draft.player {
         let space = placement::space(&draft, size, work.clone());
-        let problems = winnable::check(&draft, &player.item, &space);
+        let checked = Checked { draft: &draft, ship, size, space: &space };
+        let problems = winnable::check(&checked);
         if !problems.is_empty() {
             return refused(problems);
         }
-        warnings.extend(winnable::same_turns(&draft));
-        warnings.extend(placement::warn(&draft, &player.item, &space));
-        warnings.extend(gates::warn_of_gates(&draft, &player.item, &space, size));
-        warnings.extend(winnable::warn_of_strength(&draft, player));
-        warnings.extend(certain::warn(&draft, player, &space, size));
+        warnings.extend(certain::warn(&checked));
     }
     Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }
 
-/// As [`read()`], of an unfinished level: a ship and a size are enough. A row that cannot be read or placed is left out, an object whose
-/// picture is missing is a box, and the problems stand among the warnings.
-/// Errors: every problem of a level without a ship, a place for it or a size.
+/// As [`read()`], of an unfinished level: a ship and a size are enough. A row that cannot be read or placed is left out, an object whose picture is
+/// missing is a box, and the problems stand among the warnings. Errors: every problem of a level without a ship, a place for it or a size.
 pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Problem>> {
     let Gathered { background, mut draft, dialects, mut problems, mut warnings, .. } = gather(files, true);
     problems.extend(names::check(&draft));
-    let mut misplaced = winnable::check_strength(&draft);
+    let mut misplaced = links::check_strength(&draft);
     misplaced.extend(placement::check_zones(&draft));
     misplaced.extend(placement::check(&draft, &SearchWork::default()));
     draft.leave_out(&misplaced);
@@ -79,7 +71,6 @@ pub fn read_unfinished(name: &str, files: &dyn Files) -> Result<Loaded, Vec<Prob
     Ok(Loaded { level: draft.level(name, background, size), warnings, dialects })
 }
 
-/// The things of a level's files, each row judged by itself.
 struct Gathered {
     background: bool,
     draft: Draft,
@@ -112,8 +103,11 @@ fn gather(files: &dyn Files, unfinished: bool) -> Gathered {
     let draft = Draft::read(&mut reader, size, settings);
     for (known, problem) in look_alikes {
         // A level that is refused for want of a file names the one that looks like it.
-        let wanted =
-            if known == BACKGROUND { size.is_none() } else { reader.rows.problems.iter().any(|found| found.is_no_file(known)) };
+        let wanted = if known == BACKGROUND {
+            size.is_none()
+        } else {
+            reader.rows.problems.iter().any(|problem| problem.file == known && problem.found == tr("no file"))
+        };
         if wanted { &mut reader.rows.problems } else { &mut reader.warnings }.push(problem);
     }
     let background = background.is_some_and(|size| size.is_ok());
@@ -179,16 +173,13 @@ fn plain_size(settings: &LevelSettings, reader: &mut LevelReader) -> Option<DVec
 
 /// The problems by files and lines, and at most [`MOST_PROBLEMS`] of them.
 fn in_order(mut problems: Vec<Problem>) -> Vec<Problem> {
-    problems.sort_by_key(|problem| (file_order(&problem.file), problem.line));
+    let order = |file: &str| FILES.iter().position(|known| *known == file).unwrap_or(FILES.len());
+    problems.sort_by_key(|problem| (order(&problem.file), problem.line));
     if problems.len() > MOST_PROBLEMS {
         problems.truncate(MOST_PROBLEMS);
         problems.extend(problems.last().map(|last| too_many(&last.file, last.line)));
     }
     problems
-}
-
-fn file_order(file: &str) -> usize {
-    FILES.iter().position(|known| *known == file).unwrap_or(FILES.len())
 }
 
 #[cfg(test)]

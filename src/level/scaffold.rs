@@ -1,13 +1,10 @@
 //! New folders for levels: made, copied, renamed. A folder has a hidden name, which no list of levels shows, until it is whole.
 
 use super::document::{Document, Table};
-use super::folder::judge_name;
-use super::problem::quoted;
-use super::schema::sample;
+use super::{folder::judge_name, problem::quoted, schema::sample};
 use crate::files::{self, FileKind, create_folder, put};
 use crate::words::tr;
-use std::io;
-use std::path::Path;
+use std::{io, path::Path};
 
 const MOST_NAMES: usize = 1000;
 

@@ -1,10 +1,8 @@
 //! The column of each cell: headers, files without one, rows of several kinds.
 
-use super::numbers::PixelScale;
 use super::problem::{MOST_PROBLEMS, Problem, meant, quoted, too_many};
-use super::schema::settings::SETTING;
-use super::schema::typed::RowCells;
 use super::schema::{Column, Holds, Kind, RowSchema, SETTINGS};
+use super::{numbers::PixelScale, schema::settings::SETTING, schema::typed::RowCells};
 use crate::files::{Cell, CellFault, CsvRows, Dialect, SpannedRow, csv_rows, separators};
 use crate::words::tr;
 
@@ -19,7 +17,6 @@ pub(super) type HeaderColumns = Vec<Option<&'static Column>>;
 
 #[derive(Debug, Default)]
 pub(super) struct TableRows {
-    /// The readable rows.
     pub records: Vec<RowCells>,
     /// The lines of all rows but the header, readable or not.
     pub lines: Vec<usize>,
@@ -31,7 +28,6 @@ pub(super) struct TableRows {
 pub(super) struct HeaderPlan {
     /// The columns of all rows; none where each row has those of its kind.
     pub columns: HeaderColumns,
-    /// How many rows at the beginning name columns.
     pub headers: usize,
 }
 

@@ -2,16 +2,13 @@
 
 use super::document::{Document, RowId, SetCell};
 use super::links::{self, TooMuch};
-use super::parameter::Parameter;
-use super::problem::Problem;
 use super::schema::{Kind, Table};
 use super::types::{Level, Mover, SHIP_HALF};
-use super::{numbers as q, winnable};
+use super::{numbers as q, parameter::Parameter, problem::Problem, reach::OVERLAP};
 use crate::physics::{Aabb, BodyId, DVec2, Sides, WorldDef};
 use crate::words::tr;
 
-/// The level with other numbers, judged by the loader's rules.
-/// Errors: every number that is not accepted, by file and column, with line 0.
+/// The level with other numbers, judged by the loader's rules. Errors: every number that is not accepted, by file and column, with line 0.
 pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<Problem>> {
     let mut problems = Vec::new();
     let mut refuse = |parameter: Parameter, found: String, expected: String| {
@@ -43,7 +40,7 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     }
     let changed = |parameter: &Parameter| changes.iter().any(|(changed, _)| changed == parameter);
     let (thrust, mass) = (varied.player.thrust, varied.player.mass);
-    if let Some(expected) = winnable::judge(thrust, mass) {
+    if let Some(expected) = links::judge(thrust, mass) {
         let parameter = if changed(&Parameter::Thrust) { Parameter::Thrust } else { Parameter::Mass(0) };
         refuse(parameter, tr!("{thrust} N on a ship of {mass} kg", thrust, mass), expected);
     }
@@ -51,7 +48,7 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     let strongest = varied.streams.iter().map(|stream| stream.force.abs().max_element()).fold(0.0, f64::max);
     if let Err(expected) = q::FORCE.judge(strongest) {
         refuse(Parameter::Wind, format!("{strongest} N"), expected);
-    } else if let Some(expected) = winnable::judge(strongest, lightest) {
+    } else if let Some(expected) = links::judge(strongest, lightest) {
         refuse(Parameter::Wind, tr!("{force} N on {mass} kg", force = strongest, mass = lightest), expected);
     }
     let body = |body: BodyId| match body.index().checked_sub(1) {
@@ -66,9 +63,6 @@ pub fn varied(level: &Level, changes: &[(Parameter, f64)]) -> Result<Level, Vec<
     }
     if problems.is_empty() { Ok(varied) } else { Err(problems) }
 }
-
-/// The most that things overlap at the start, m, as for the loader.
-const OVERLAP: f64 = 1e-6;
 
 /// Whether a body or a mover leaves the level, or a body starts in a solid or another body.
 fn problems_of_places(level: &Level) -> bool {
@@ -92,8 +86,7 @@ fn problems_of_places(level: &Level) -> bool {
 }
 
 impl Document {
-    /// Writes the parameters of a varied level into the cells of its files.
-    /// Errors: as [`Document::set`]; a body or stream without a row.
+    /// Writes the parameters of a varied level into the cells of its files. Errors: as [`Document::set`]; a body or stream without a row.
     pub fn vary(&mut self, varied: &Level, parameters: &[Parameter], gesture: Option<u64>) -> Result<(), String> {
         let mut cells = Vec::new();
         let twice = |of: &&Parameter| matches!(of, Parameter::Stream(_)) && parameters.contains(&Parameter::Wind);

@@ -1,53 +1,86 @@
 //! Whether a level can be won at all, and is neither won nor lost at its start. A doubtful route counts as possible: doors are open, no body
 //! is too heavy, and movers are anywhere.
-//!
-//! Forces and the masses on which they act: what is too strong is refused, and what is certainly too weak is warned about.
-//!
-//! Warnings of unreadable words.
 
-use super::draft::Draft;
-use super::placement::BoxTree;
 use super::problem::{Problem, quoted};
-use super::reach::{CentredBox, FreeSpace};
-use super::schema::typed::FromRow;
-use super::types::{Objective, ObjectiveKind, SHIP_HALF, ShipStart, Switch};
+use super::reach::{CentredBox, FreeSpace, grown, shared};
+use super::types::{BURN_RATE, LevelLink, Objective, ObjectiveKind, Presser, SHIP_HALF, ShipStart, Switch};
 use super::world_def::{ship_body, sweep_touches};
-use crate::physics::domain::MOST_ACCELERATION;
-use crate::physics::{Aabb, DVec2, Material};
+use super::{draft::Draft, placement::BoxTree, schema::typed::FromRow};
+use crate::physics::{Aabb, BodyId, DVec2, LinkEnd, LinkLaw, Material, Spring};
 use crate::words::tr;
-use std::collections::BTreeMap;
 
 /// A gap of less than this, m, is touched: as in the rules.
 const TOUCH: f64 = 1e-9;
 
-pub(super) fn check(draft: &Draft, player: &ShipStart, space: &FreeSpace) -> Vec<Problem> {
-    let ship = (player.position, SHIP_HALF);
-    let mut problems = starts(draft, ship, player.angle);
-    problems.extend(unreachable(draft, ship, space));
+pub(super) fn check(level: &Checked) -> Vec<Problem> {
+    let mut problems = starts(level);
+    problems.extend(level.draft.objectives.iter().filter_map(|pad| unreachable(level, pad)));
     if problems.is_empty() {
-        problems.extend(apart(draft));
-        problems.extend(too_few_keys(draft, space));
+        problems.extend(apart(level.draft));
+        problems.extend(too_few_keys(level));
     }
     problems
 }
 
-/// The bodies that fit an objective.
-pub(super) fn fitting<'a>(draft: &'a Draft, objective: &'a Objective, ship: CentredBox) -> impl Iterator<Item = CentredBox> + 'a {
-    let player = objective.kind == ObjectiveKind::Player;
-    let keys = draft.objects.iter().filter(move |object| !player && object.item.key.is_some_and(|key| objective.fits(key)));
-    player.then_some(ship).into_iter().chain(keys.map(|key| (key.item.position, key.item.size * 0.5)))
+/// What the ship or some objects have to touch.
+pub(super) struct Goal {
+    bounds: Aabb,
+    by: Presser,
+    /// Of the only keys that fit.
+    colour: Option<[u8; 3]>,
+}
+
+impl From<&Objective> for Goal {
+    fn from(pad: &Objective) -> Self {
+        let by = if pad.kind == ObjectiveKind::Player { Presser::Ship } else { Presser::Key };
+        Self { bounds: pad.bounds, by, colour: pad.colour }
+    }
+}
+
+impl From<&Switch> for Goal {
+    fn from(switch: &Switch) -> Self {
+        Self { bounds: switch.bounds, by: switch.by, colour: None }
+    }
+}
+
+impl Goal {
+    /// The ship, where it counts, and the objects that do.
+    pub fn bodies(&self, level: &Checked) -> impl Iterator<Item = CentredBox> {
+        self.takes_ship().then(|| level.ship_box()).into_iter().chain(self.objects(level.draft))
+    }
+
+    fn takes_ship(&self) -> bool {
+        matches!(self.by, Presser::Any | Presser::Ship)
+    }
+
+    fn objects(&self, draft: &Draft) -> impl Iterator<Item = CentredBox> {
+        let counts = |key: Option<[u8; 3]>| match self.by {
+            Presser::Any | Presser::Object => true,
+            Presser::Key => key.is_some_and(|key| self.colour.is_none_or(|colour| colour == key)),
+            Presser::Ship => false,
+        };
+        let objects = draft.objects.iter().map(|object| &object.item).filter(move |object| counts(object.key));
+        objects.map(|object| (object.position, object.size * 0.5))
+    }
+
+    /// Whether the ship gets there, in one space; and whether an object does, in another.
+    pub fn gets(&self, level: &Checked, [ships, others]: [&FreeSpace; 2]) -> [bool; 2] {
+        let by_ship = self.takes_ship() && ships.gets_to(level.ship_box(), &self.bounds);
+        [by_ship, self.objects(level.draft).any(|body| others.gets_to(body, &self.bounds))]
+    }
 }
 
 /// A start that is the end.
-fn starts(draft: &Draft, ship: CentredBox, angle: f64) -> Vec<Problem> {
-    let (at, body) = (ship.0, ship_body(angle));
+fn starts(level: &Checked) -> Vec<Problem> {
+    let draft = level.draft;
+    let (at, body) = (level.ship.item.position, ship_body(level.ship.item.angle));
     let deadly = draft.obstacles.iter().filter(|deadly| sweep_touches(&body, at, at, &deadly.item, TOUCH));
     let mut problems: Vec<Problem> = deadly
         .map(|deadly| deadly.problem("x", tr("a death box that touches the ship at its start"), tr("a start off red")))
         .collect();
     let met = |objective: &Objective| {
         let touches = |(centre, half)| Aabb::around(centre, half).touches(&objective.bounds, TOUCH);
-        objective.hold == 0.0 && fitting(draft, objective, ship).any(touches)
+        objective.hold == 0.0 && Goal::from(objective).bodies(level).any(touches)
     };
     if let Some(first) = draft.objectives.first()
         && draft.objectives.iter().all(|objective| met(&objective.item))
@@ -57,35 +90,21 @@ fn starts(draft: &Draft, ship: CentredBox, angle: f64) -> Vec<Problem> {
     problems
 }
 
-/// Objectives to which no body gets that fits.
-fn unreachable(draft: &Draft, ship: CentredBox, space: &FreeSpace) -> Vec<Problem> {
-    let mut problems = Vec::new();
-    for placed in &draft.objectives {
-        let objective = &placed.item;
-        let mut bodies = fitting(draft, objective, ship).peekable();
-        if bodies.peek().is_none() {
-            // `draft` reports a level without any key.
-            if let Some(colour) = objective.colour {
-                let found = tr!(
-                    "{colour}, the colour of no key object",
-                    colour = quoted(&colour.map(|channel| channel.to_string()).join(","))
-                );
-                problems.push(placed.problem("r", found, tr("the r, g and b of an OBJECT row")));
-            }
-            continue;
-        }
-        if bodies.any(|body| space.gets_to(body, &objective.bounds)) {
-            continue;
-        }
-        let player = objective.kind == ObjectiveKind::Player;
-        let found = tr(if player {
-            "an objective that the ship cannot get to"
-        } else {
-            "an objective that a key object that fits cannot get to"
-        });
-        problems.push(placed.problem("x", found, tr("a route to it, in the level and out of solids")));
+/// An objective to which no body gets that fits.
+fn unreachable(level: &Checked, pad: &FromRow<Objective>) -> Option<Problem> {
+    let goal = Goal::from(&pad.item);
+    if goal.bodies(level).next().is_none() {
+        // `draft` reports a level without any key.
+        let colour = quoted(&pad.item.colour?.map(|channel| channel.to_string()).join(","));
+        let found = tr!("{colour}, the colour of no key object", colour);
+        return Some(pad.problem("r", found, tr("the r, g and b of an OBJECT row")));
     }
-    problems
+    let found = tr(match pad.item.kind {
+        ObjectiveKind::Player => "an objective that the ship cannot get to",
+        ObjectiveKind::Physics => "an objective that a key object that fits cannot get to",
+    });
+    let barred = goal.gets(level, [level.space; 2]) == [false; 2];
+    barred.then(|| pad.problem("x", found, tr("a route to it, in the level and out of solids")))
 }
 
 /// Objectives for the ship that lie too far apart to be touched at once.
@@ -94,8 +113,7 @@ fn apart(draft: &Draft) -> Option<Problem> {
     let mut pads = draft.objectives.iter().filter(at_once);
     let mut room = grown(&pads.next()?.item.bounds, SHIP_HALF);
     for pad in pads {
-        let bounds = grown(&pad.item.bounds, SHIP_HALF);
-        room = Aabb { min: room.min.max(bounds.min), max: room.max.min(bounds.max) };
+        room = shared(&room, &grown(&pad.item.bounds, SHIP_HALF));
         if (room.max - room.min).min_element() < -TOUCH {
             let found = tr("a second objective for the ship, too far from the others to touch all at once");
             return Some(pad.problem("x", found, tr("objectives side by side, or a number in the column order for each")));
@@ -104,179 +122,137 @@ fn apart(draft: &Draft) -> Option<Problem> {
     None
 }
 
-/// Objectives with the same turn: the rules let these be met in any order, which an author seldom wants.
-pub(super) fn same_turns(draft: &Draft) -> Vec<Problem> {
-    let mut first: BTreeMap<u32, usize> = BTreeMap::new();
-    let mut warnings = Vec::new();
-    for placed in &draft.objectives {
-        let Some(order) = placed.item.order else { continue };
-        let line = *first.entry(order).or_insert(placed.line);
-        if line != placed.line {
-            let found = tr!("{order} once more, the turn of line {line}: these two can be met in either order", order, line);
-            warnings.push(placed.problem("order", found, tr("a number of its own for each turn")));
-        }
-    }
-    warnings
-}
-
 /// More objectives for keys than keys, none of which can touch two at once.
-fn too_few_keys(draft: &Draft, space: &FreeSpace) -> Option<Problem> {
+fn too_few_keys(level: &Checked) -> Option<Problem> {
+    let draft = level.draft;
     let at_once = |objective: &&FromRow<Objective>| objective.item.kind == ObjectiveKind::Physics && objective.item.order.is_none();
     let wanted: Vec<&FromRow<Objective>> = draft.objectives.iter().filter(at_once).collect();
     let keys: Vec<DVec2> = draft.objects.iter().filter(|object| object.item.key.is_some()).map(|key| key.item.size * 0.5).collect();
     let mut halves = keys.clone();
     halves.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     halves.dedup();
-    let shared = |half: &DVec2| {
+    let two_at_once = |half: &DVec2| {
         let rooms: Vec<Aabb> = wanted.iter().map(|objective| grown(&objective.item.bounds, *half)).collect();
         let tree = BoxTree::of(rooms.iter().copied());
         let alone = |(i, room): (usize, &Aabb)| tree.search(room, TOUCH, |other| other as usize == i);
         // A search that would take too long counts as possible.
-        !space.work.spend(rooms.len()) || !rooms.iter().enumerate().all(alone)
+        !level.space.work.spend(rooms.len()) || !rooms.iter().enumerate().all(alone)
     };
-    if wanted.len() <= keys.len() || halves.iter().any(shared) {
+    if wanted.len() <= keys.len() || halves.iter().any(two_at_once) {
         return None;
     }
     let found = tr!("objective {number} for key objects, with {count} of these", number = keys.len() + 1, count = keys.len());
     Some(wanted[keys.len()].problem("kind", found, tr("a key object for each, or a number in the column order")))
 }
 
-fn grown(bounds: &Aabb, by: DVec2) -> Aabb {
-    Aabb::new(bounds.min - by, bounds.max + by)
+/// From this restitution on a bounce lasts too long for a bound.
+pub(super) const LIVELY: f64 = 0.9;
+
+/// A level of which nothing is refused.
+pub(super) struct Checked<'a> {
+    pub draft: &'a Draft,
+    pub ship: &'a FromRow<ShipStart>,
+    /// Of the level, m.
+    pub size: DVec2,
+    pub space: &'a FreeSpace,
 }
 
-/// The expected force, where one exceeds the limit for a body of that mass.
-pub(super) fn judge(force: f64, mass: f64) -> Option<String> {
-    (force.abs() > MOST_ACCELERATION * mass).then(|| {
-        tr!("at most {most} N, which is {acceleration} m/s²", most = MOST_ACCELERATION * mass, acceleration = MOST_ACCELERATION)
-    })
-}
+/// What the bodies of a level can come to.
+impl Checked<'_> {
+    pub fn ship_box(&self) -> CentredBox {
+        (self.ship.item.position, SHIP_HALF)
+    }
 
-/// The ship, where its thrust is too strong for it, and every stream that is too strong for the lightest body.
-pub(super) fn check_strength(draft: &Draft) -> Vec<Problem> {
-    let mut problems = Vec::new();
-    if let Some(ship) = &draft.player {
-        let (thrust, mass) = (ship.item.thrust, ship.item.mass);
-        if let Some(expected) = judge(thrust, mass) {
-            problems.push(ship.problem("thrust", tr!("{thrust} N on a ship of {mass} kg", thrust, mass), expected));
+    /// Streams and gravity zones: where they are, their force on the ship, N, and whether a switch may stop them.
+    pub fn zones(&self) -> impl Iterator<Item = (Aabb, DVec2, bool)> {
+        let streams = self.draft.streams.iter().map(|stream| (stream.item.zone, stream.item.force, stream.item.name.is_some()));
+        let fields = self.draft.fields.iter().map(|field| (field.item.zone, field.item.strength * self.ship.item.mass, false));
+        streams.chain(fields)
+    }
+
+    pub fn masses(&self) -> impl Iterator<Item = f64> {
+        [self.ship.item.mass].into_iter().chain(self.draft.objects.iter().map(|object| object.item.mass))
+    }
+
+    pub fn centre(&self, body: BodyId) -> DVec2 {
+        body.index().checked_sub(1).map_or(self.ship.item.position, |object| self.draft.objects[object].item.position)
+    }
+
+    fn materials(&self) -> impl Iterator<Item = &Material> {
+        let solids = self.draft.world.iter().chain(&self.draft.doors).map(|solid| &solid.item.material);
+        let bodies = self.draft.objects.iter().map(|object| &object.item.material);
+        solids.chain(bodies).chain([&self.ship.item.material, &Material::ASPHALT])
+    }
+
+    /// The largest of the level.
+    pub fn restitution(&self) -> f64 {
+        let own = self.draft.objects.iter().map(|object| object.item.restitution).chain([self.ship.item.restitution]);
+        own.chain(self.materials().map(|material| material.restitution)).fold(0.0, f64::max)
+    }
+
+    /// The smallest coefficient of kinetic friction of the level.
+    pub fn friction(&self) -> f64 {
+        self.draft.settings.row.friction * self.materials().map(|material| material.kinetic_friction).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The energy, J, that all bodies have at most at any time, but for an object that stays where it is: theirs at the start, and the work
+    /// of the engine. With d√E/dt ≤ thrust/√(2·mass) that work has a bound in vacuum; in air, F·v − k·v³ has a maximum.
+    /// `None` where something else does work.
+    pub fn energy(&self, but: Option<usize>) -> Option<f64> {
+        let Self { draft, ship: FromRow { item: ship, .. }, size, .. } = self;
+        let settings = &draft.settings.row;
+        let moved = !draft.movers.is_empty() || draft.world.iter().any(|block| block.item.belt != 0.0) || draft.has_currents();
+        if moved || settings.gravity_x != 0.0 || settings.gravity <= 0.0 {
+            return None;
         }
+        let stored = draft.links.iter().map(|link| self.stored(&link.item.bind(&draft.objects)?)).sum::<Option<f64>>()?;
+        let of = |mass: f64, at: DVec2, v: DVec2| mass * (0.5 * v.length_squared() + settings.gravity * (size.y - at.y).max(0.0));
+        let objects = draft.objects.iter().enumerate().filter(|(index, _)| Some(*index) != but);
+        let start = stored
+            + of(ship.mass, ship.position, ship.velocity)
+            + objects.map(|(_, body)| of(body.item.mass, body.item.position, body.item.velocity)).sum::<f64>();
+        let burns = (ship.fuel + draft.pods.iter().map(|pod| pod.item.fuel).sum::<f64>()) / BURN_RATE;
+        let vacuum = (start.sqrt() + ship.thrust * burns / (2.0 * ship.mass).sqrt()).powi(2);
+        // The least drag of the ship at 1 m/s, N.
+        let air = if ship.feels_air { settings.air_density } else { 0.0 };
+        let drag = 0.5 * air * ship.drag * 2.0 * SHIP_HALF.min_element();
+        let power = 2.0 / 3.0 * ship.thrust * (ship.thrust / (3.0 * drag)).sqrt();
+        Some(if drag > 0.0 { vacuum.min(start + power * burns) } else { vacuum })
     }
-    let ship = draft.player.iter().map(|ship| ship.map(|ship| ship.mass));
-    let masses = ship.chain(draft.objects.iter().map(|object| object.map(|object| object.mass)));
-    let Some(lightest) = masses.min_by(|a, b| a.item.total_cmp(&b.item)) else { return problems };
-    for fluid in draft.fluids.iter().filter(|_| draft.settings.row.gravity_x != 0.0) {
-        let expected = tr("no fluids.csv where constants.csv gives a gravity_x: the surface of a liquid is level");
-        problems.push(fluid.problem("x", tr("a liquid beside gravity to the side"), expected));
+
+    /// The energy of a link at the start, J; `None` where it may do more work than that.
+    fn stored(&self, LevelLink { def, name }: &LevelLink) -> Option<f64> {
+        let works = self.draft.switches.iter().flat_map(|switch| &switch.item.works);
+        let worked = name.iter().flat_map(|name| name.split('&')).any(|name| works.clone().any(|work| work.name == name));
+        let (LinkLaw::Spring(Spring { length, stiffness, .. }) | LinkLaw::Rope(Spring { length, stiffness, .. })) = def.law else {
+            return None;
+        };
+        let to = match def.to {
+            LinkEnd::Place(place) => place,
+            LinkEnd::Body(body) => self.centre(body),
+        };
+        let over = if def.as_found { 0.0 } else { self.centre(def.body).distance(to) - length };
+        (def.rate == 0.0 && !def.hook && !worked).then_some(0.5 * stiffness * over * over)
     }
-    for stream in &draft.streams {
-        let force = stream.item.force;
-        for (column, force) in [("force_x", force.x), ("force_y", force.y)] {
-            if let Some(expected) = judge(force, lightest.item) {
-                let (file, line, mass) = (lightest.file, lightest.line, lightest.item);
-                let found = tr!("{force} N, with {mass} kg in {file}:{line}", force, mass, file, line);
-                problems.push(stream.problem(column, found, expected + tr(" for what is lightest")));
-            }
-        }
+
+    /// N·s, friction with it. Of a ship alone by its speeds, of several bodies by all their energy: Σ m·v ≤ √(2·E·Σm).
+    pub fn blow(&self) -> Option<f64> {
+        let restitution = self.restitution();
+        let fastest = |side: DVec2| Some(self.run(side)?.max(self.run(-side)?));
+        let alone = || Some((2.0 * self.ship.item.mass * (fastest(DVec2::X)? + fastest(DVec2::Y)?)).sqrt());
+        let energy = || Some((2.0 * self.energy(None)? * self.masses().sum::<f64>()).sqrt());
+        let least = alone().into_iter().chain(energy()).min_by(f64::total_cmp)?;
+        (restitution < LIVELY).then_some((1.0 + restitution) / (1.0 - restitution) * least)
     }
-    problems
-}
 
-/// An engine that lifts nothing where it has to, and plates that nothing presses.
-pub(super) fn warn_of_strength(draft: &Draft, player: &FromRow<ShipStart>) -> Vec<Problem> {
-    weak_engine(draft, player).into_iter().chain(heavy_plates(draft, &player.item)).collect()
-}
-
-/// Thrust below the ship's weight, where an objective lies above the start and nothing else moves any body upwards.
-fn weak_engine(draft: &Draft, player: &FromRow<ShipStart>) -> Option<Problem> {
-    let (ship, settings) = (&player.item, &draft.settings);
-    let weight = ship.mass * settings.row.gravity;
-    let top = ship.position.y - SHIP_HALF.y;
-    let above = |pad: &FromRow<Objective>| pad.item.kind == ObjectiveKind::Player && pad.item.bounds.max.y < top;
-    if ship.thrust >= weight || lifts(draft, ship) || !draft.objectives.iter().any(above) {
-        return None;
-    }
-    let found = tr!("{thrust} N, less than the ship's weight of {weight} N", thrust = ship.thrust, weight);
-    Some(player.problem("thrust", found, tr("more than that, as nothing in the level lifts the ship")))
-}
-
-/// Whether anything but the engine may move a body upwards: winds, fields, liquids, links, belts, movers, bounces, throws, and doors,
-/// which put a body out of themselves.
-fn lifts(draft: &Draft, ship: &ShipStart) -> bool {
-    let winds = draft.streams.iter().map(|stream| stream.item.force.y);
-    let up = winds.chain(draft.fields.iter().map(|field| field.item.strength.y)).any(|y| y < 0.0);
-    let rises = |velocity: f64, restitution: f64, material: Material| velocity < 0.0 || restitution.max(material.restitution) > 0.0;
-    let bodies = draft.objects.iter().map(|object| &object.item);
-    up || draft.is_driven()
-        || !draft.fluids.is_empty()
-        || !draft.doors.is_empty()
-        || draft.world.iter().any(|solid| solid.item.material.restitution > 0.0)
-        || rises(ship.velocity.y, ship.restitution, ship.material)
-        || bodies.into_iter().any(|body| rises(body.velocity.y, body.restitution, body.material))
-}
-
-/// Plates that take more than all masses and the thrust together. A mover, a belt, a link, a wind, a zone or a liquid presses without such
-/// a bound.
-fn heavy_plates(draft: &Draft, ship: &ShipStart) -> Vec<Problem> {
-    if draft.is_driven() || draft.has_currents() || draft.settings.row.gravity_x != 0.0 {
-        return Vec::new();
-    }
-    let objects = draft.objects.iter().filter(|object| !object.item.weightless).map(|object| object.item.mass);
-    let most = ship.thrust + (ship.mass + objects.sum::<f64>()) * draft.settings.row.gravity.max(0.0);
-    let heavy = |plate: &FromRow<Switch>| {
-        let weight = plate.item.weight.filter(|weight| most <= *weight)?;
-        let found =
-            tr!("{weight} N, with {most} N of weight and thrust in all to press it", weight, most = format_args!("{most:.0}"));
-        Some(plate.problem("weight", found, tr("less than that")))
-    };
-    draft.switches.iter().filter_map(heavy).collect()
-}
-
-/// The least width of a letter, in heights of it: only words that run out in any case are reported.
-const NARROWEST: f64 = 0.36;
-
-/// Letters that the game's typefaces lack, and texts that run out of a level of `size` metres.
-pub(super) fn warn_of_texts(draft: &Draft, size: DVec2) -> Vec<Problem> {
-    let mut warnings = Vec::new();
-    for text in &draft.texts {
-        let words = &text.item.text;
-        warnings.extend(lacking(text, words));
-        let end = text.item.position + DVec2::new(words.chars().count() as f64 * NARROWEST, 1.0) * text.item.size;
-        let out = text.item.position.cmplt(DVec2::ZERO).any() || end.cmpgt(size + text.item.size * 0.5).any();
-        if out {
-            warnings.push(text.problem(
-                "x",
-                tr!("{words}, which runs out of the level", words = quoted(words)),
-                tr("words that end within it"),
-            ));
-        }
-    }
-    warnings.extend(draft.hints.iter().filter_map(|hint| lacking(hint, &hint.item)));
-    warnings
-}
-
-/// The first letter of words in a row that would be drawn as a box.
-fn lacking<T>(row: &FromRow<T>, words: &str) -> Option<Problem> {
-    let letter = words.chars().find(|letter| !is_drawn(*letter))?;
-    let found = tr!("{letter}, which would be drawn as a box", letter = quoted(&letter.to_string()));
-    Some(row.problem("text", found, tr("letters of Latin, Greek or Cyrillic, signs and arrows, on one line")))
-}
-
-/// No line break, and no letter of a script that the typefaces lack.
-fn is_drawn(letter: char) -> bool {
-    let lacking = matches!(u32::from(letter),
-        0x0590..=0x109F | 0x1100..=0x11FF | 0x2E80..=0xA4CF | 0xA960..=0xD7FF | 0xF900..=0xFAFF | 0xFB50..=0xFDFF | 0x1F000..);
-    !letter.is_control() && !lacking
-}
-
-#[cfg(test)]
-mod tests {
-    use super::is_drawn;
-
-    #[test]
-    fn what_the_typefaces_lack_is_known() {
-        assert!("Über → 10 m/s², Ωж ≥ ½ ✓".chars().all(is_drawn));
-        for letter in ['日', '한', 'ع', 'ש', '😀', '\n', '\u{7}'] {
-            assert!(!is_drawn(letter), "{letter:?}");
-        }
+    /// The kinetic energy, J, that a ship alone has at most along one axis to one side: such a run begins at rest or at the start, and is as
+    /// long as the level. `None` where it may be thrown.
+    pub fn run(&self, side: DVec2) -> Option<f64> {
+        let Self { draft, ship: FromRow { item: ship, .. }, size, .. } = self;
+        let alone = draft.objects.is_empty() && !draft.is_driven() && draft.fluids.is_empty() && self.restitution() == 0.0;
+        let zones: f64 = self.zones().map(|(_, force, _)| force.dot(side).max(0.0)).sum();
+        let weight = ship.mass * DVec2::new(draft.settings.row.gravity_x, draft.settings.row.gravity).dot(side).max(0.0);
+        let start = 0.5 * ship.mass * ship.velocity.dot(side).max(0.0).powi(2);
+        alone.then(|| start + (ship.thrust + zones + weight) * size.dot(side.abs()))
     }
 }

@@ -1,5 +1,4 @@
 //! A level as the engine sees it.
-//!
 //! The ship's body as it is drawn, which red destroys; solids, pads, keys and zones act on the box around it.
 
 use super::types::{Level, SHIP_HALF, Solid};

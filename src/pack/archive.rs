@@ -49,9 +49,7 @@ pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
 }
 
 /// The files below a folder of an archive, by their paths from there; `limit` is the most bytes of a path, `None` for one that does not belong.
-///
-/// # Errors
-/// As [`read`], without the rules of a level; a file outside of the folder.
+/// Errors: as [`read`], without the rules of a level; a file outside of the folder.
 #[cfg(any(browser, test))]
 pub(super) fn read_below(
     bytes: &[u8],
@@ -67,7 +65,6 @@ pub(super) fn read_below(
     Ok(found.files.into_iter().map(|(parts, bytes)| (parts[1..].join("/"), bytes)).collect())
 }
 
-/// An archive with as many names as entries.
 fn open(bytes: &[u8]) -> Result<ZipArchive<Cursor<&[u8]>>, String> {
     if bytes.len() as u64 > LARGEST {
         return Err(tr!(
@@ -106,7 +103,6 @@ fn no_file_of_a_level(place: &str) -> String {
     tr!("{place}: found a file that belongs to no level, expected CSV, PNG, TXT, MD", place)
 }
 
-/// The number of entries by the archive's end record.
 fn entries(bytes: &[u8]) -> Option<usize> {
     let last = bytes.len().checked_sub(END_LENGTH)?;
     let first = last.saturating_sub(usize::from(u16::MAX));

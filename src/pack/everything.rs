@@ -1,24 +1,19 @@
 //! Everything that a browser keeps for the page as one archive, and back: nothing that was there before is lost.
 
-use super::archive::read_below;
 use super::package::{Package, UNPACKED};
-use super::write;
+use super::{archive::read_below, write};
 use crate::files::{Keeper, Manner, PageFiles, Storage, Symlinks};
 use crate::words::tr;
-use std::collections::BTreeMap;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 
-/// The folder of the archive.
 const NAME: &str = "resultant-data";
-/// The parts of it that are taken.
 const PARTS: [&str; 6] = ["before-import", "exports", "levels", "results", "scores", "settings.csv"];
 /// Where a file goes whose place an imported one takes.
 const BEFORE: &str = "before-import";
 /// The place of the first name in a ZIP archive, bytes.
 const FIRST_NAME: usize = 30;
 
-/// # Errors
-/// A file that cannot be read, in words.
+/// Errors: a file that cannot be read, in words.
 pub fn export<K: Keeper>(kept: &PageFiles<K>) -> Result<Vec<u8>, String> {
     let mut files = BTreeMap::new();
     for key in kept.0.keys().into_iter().filter(|key| PARTS.contains(&first(key))) {
@@ -37,10 +32,8 @@ pub fn is_export(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK") && bytes.get(FIRST_NAME..).is_some_and(|rest| rest.starts_with(format!("{NAME}/").as_bytes()))
 }
 
-/// Writes the files of an archive; a file with other bytes goes to `before-import/` first. The answer says in words how many.
-///
-/// # Errors
-/// A damaged or foreign archive, and nothing was written; no more room, and the files up to there are written.
+/// Writes the files of an archive; a file with other bytes goes to `before-import/` first. The answer says in words how many. Errors: a damaged or
+/// foreign archive, and nothing was written; no more room, and the files up to there are written.
 pub fn import<K: Keeper>(kept: &PageFiles<K>, bytes: &[u8]) -> Result<String, String> {
     let files = read_below(bytes, NAME, |path| PARTS.contains(&first(path)).then_some(UNPACKED))?;
     let (mut new, mut other) = (0, 0);

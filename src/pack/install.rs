@@ -1,15 +1,12 @@
 //! Writing a package into the folder of levels.
 
-use super::archive::read;
 use super::package::{LARGEST, MOST_FILES, Package, check, listed};
-use super::path;
-use crate::files;
+use super::{archive::read, path};
 use crate::level::{self, BACKGROUND, FILES, scaffold};
-use crate::words::tr;
+use crate::{files, words::tr};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Tries for a free name.
 const MOST_NAMES: u32 = 1000;
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,8 +25,7 @@ impl Installed {
     }
 }
 
-/// Installs the level of an archive on disk, under another name where its own is taken.
-/// Errors: every fault, a line each; nothing was written then.
+/// Installs the level of an archive on disk, under another name where its own is taken. Errors: every fault, a line each; nothing was written then.
 pub fn install_file(archive: &Path, levels: &Path, project: &Path) -> Result<Installed, Vec<String>> {
     let named = |problem: String| vec![format!("{}: {problem}", archive.display())];
     if archive.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("zip")) {
@@ -40,9 +36,8 @@ pub fn install_file(archive: &Path, levels: &Path, project: &Path) -> Result<Ins
     install(&package, levels, project, true)
 }
 
-/// Writes a checked package into `levels`: under its own name, or, with `free_name`, under another one where a different level has
-/// that name.
-/// Errors: every problem of the level; a taken name; the disk's. Nothing is left behind then.
+/// Writes a checked package into `levels`: under its own name, or, with `free_name`, under another one where a different level has that name. Errors:
+/// every problem of the level; a taken name; the disk's. Nothing is left behind then.
 pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool) -> Result<Installed, Vec<String>> {
     path::judge_folder(&package.name).map_err(|problem| vec![problem])?;
     check(package, project)?;

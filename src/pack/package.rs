@@ -1,22 +1,15 @@
 //! A level's files in memory.
-//!
 //! The flights in a level's folder are flown again in the level as it is.
-//!
-//! The memory of a packed level, before it is unpacked: by the sizes in the archive, to which reading holds it, and by its
-//! pictures' heads.
+//! The memory of a packed level, before it is unpacked: by the sizes in the archive, to which reading holds it, and by its pictures' heads.
 
 use super::path;
 use crate::files::{self, Symlinks, read_text};
 use crate::game::{Game, Goal, LevelHash, Medal, Prize, Replay, RunResult, goals, level_hash};
 use crate::level::document::{Document, LevelFolder, Opened};
 use crate::level::{self, FILES, Files, Level, Loaded, Problem};
-use crate::number::hundredths;
-use crate::words::tr;
-use std::collections::BTreeMap;
-use std::fmt::Display;
-use std::io;
+use crate::{number::hundredths, words::tr};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::{collections::BTreeMap, fmt::Display, io, sync::Arc};
 
 /// The largest archive, bytes.
 pub const LARGEST: u64 = 64 << 20;
@@ -47,10 +40,8 @@ pub(super) fn limit(path: &str) -> Option<u64> {
     }
 }
 
-/// The files of a level that can be handed on: tables, pictures wherever they lie, flights and notes; and the names of the other
-/// files in its folder.
-/// Errors: a level's name that no package can have; the level's problems; a file that cannot be read, or is a link; the errors of
-/// [`check`].
+/// The files of a level that can be handed on: tables, pictures wherever they lie, flights and notes; and the names of the other files in its folder.
+/// Errors: a level's name that no package can have; the level's problems; a file that cannot be read, or is a link; the errors of [`check`].
 pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), Vec<String>> {
     let name = files::resolve(folder).ok().as_deref().unwrap_or(folder).file_name().map(|name| name.to_string_lossy().into_owned());
     let name = name.unwrap_or_default();
@@ -58,7 +49,8 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
     let level = level::load(folder, project).map_err(|problems| level::listed(&problems))?.level;
     let (mut package, mut left) = (Package { name, files: BTreeMap::new() }, Vec::new());
     let mut take = |path: String, from: &Path, root: &Path, most: u64| {
-        if let Some(link) = link_below(root, from) {
+        let mut below = from.ancestors().take_while(|part| *part != root && part.starts_with(root));
+        if let Some(link) = below.find(|part| files::is_link(part)) {
             return Err(vec![format!("{}: {}", link.display(), tr("found a link, expected a regular file"))]);
         }
         let bytes = files::read(from, most).map_err(|error| vec![format!("{}: {error}", from.display())])?;
@@ -88,11 +80,6 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
     }
     check(&package, project)?;
     Ok((package, left))
-}
-
-/// The first link on the path down from a folder.
-fn link_below<'a>(root: &Path, path: &'a Path) -> Option<&'a Path> {
-    path.ancestors().take_while(|part| *part != root && part.starts_with(root)).find(|part| files::is_link(part))
 }
 
 pub(super) fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {
@@ -286,13 +273,11 @@ fn earn(stem: &str, replay: Replay, level: &Arc<Level>) -> Result<Reached, (Stri
     Ok((goals, Some(proves)))
 }
 
-/// Bytes of memory a byte of a table, for reading, checks and building: `/usr/bin/time` shows 29 for tables of solids and objects
-/// at their limits.
+/// Bytes of memory a byte of a table, for reading, checks and building: `/usr/bin/time` shows 29 for tables of solids and objects at their limits.
 const TABLE: u64 = 32;
 /// Bytes of memory a byte of a flight, with some room. Only one flight is in memory at a time.
 const EACH_FLIGHT: u64 = 6;
-/// Bytes a pixel: unpacked, as a texture and as a graphics driver's copy, 4 bytes each; or at 16 bits a channel while it is
-/// unpacked.
+/// Bytes a pixel: unpacked, as a texture and as a graphics driver's copy, 4 bytes each; or at 16 bits a channel while it is unpacked.
 const PIXEL: u64 = 12;
 const DEEP_PIXEL: u64 = 8;
 /// A PNG's first bytes; then length and name of its head, width and height.

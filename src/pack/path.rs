@@ -59,8 +59,7 @@ pub(super) fn folded(name: &str) -> String {
     decomposed.to_lowercase().to_uppercase().to_lowercase().nfd().collect()
 }
 
-/// Judges a level's folder name: every system can have it, and no other file of the scores does. The error is the fault with the
-/// expected names.
+/// Judges a level's folder name: every system can have it, and no other file of the scores does. The error is the fault with the expected names.
 pub(super) fn judge_folder(name: &str) -> Result<(), String> {
     let refused =
         |expected: String| Err(tr!("found the level name {name}, expected {expected}", name = format_args!("{name:?}"), expected));

@@ -1,17 +1,13 @@
 //! The order of a leaderboard, without files.
 //!
-//! The text of a scores file: `name,score` and any columns behind, to a [`Board`] and back. It reads such a file from people and
-//! spreadsheets: without header, in any order, with blank lines, CRLF, a byte-order mark or spaces. Any other row becomes a line of
-//! damage and spoils no other.
+//! The text of a scores file: `name,score` and any columns behind, to a [`Board`] and back. It reads such a file from people and spreadsheets:
+//! without header, in any order, with blank lines, CRLF, a byte-order mark or spaces. Any other row becomes a line of damage and spoils no other.
 
 use super::name::{DamageReport, Name, ScoresError};
 use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, csv_line, whole};
 use crate::words::tr;
 use serde::Deserialize;
-use std::cmp::Reverse;
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
-use std::path::Path;
+use std::{cmp::Reverse, collections::HashMap, collections::hash_map::Entry, path::Path};
 
 /// Columns, in the order in which a save adds them: of the flight, its time (s) and its file.
 const TIME: &str = "time";
@@ -61,8 +57,7 @@ impl Placement {
 }
 
 impl Board {
-    /// The rows hold a name once each, the older one of equal scores first. `more_columns` names the columns behind `name` and
-    /// `score`.
+    /// The rows hold a name once each, the older one of equal scores first. `more_columns` names the columns behind `name` and `score`.
     pub(super) fn new(more_columns: Vec<String>, mut rows: Vec<BoardRow>) -> Self {
         rows.sort_by_key(|row| Reverse(row.score)); // stable: equal scores keep their order
         Self { more_columns, rows }

@@ -7,8 +7,7 @@ use super::board::{self, Board, Placement};
 use super::name::{Name, ScoresError};
 use super::players::{self, Deed, Players, harmless};
 use crate::files::{self, SaveError};
-use crate::game::Replay;
-use crate::words::tr;
+use crate::{game::Replay, words::tr};
 use serde::{Serialize, Serializer};
 use std::path::{Path, PathBuf};
 
@@ -64,9 +63,8 @@ impl Scores {
         self.save_with_flight(level, Score { name, points, flight: None })
     }
 
-    /// Saves a score; the file is on disk, whole, when this returns, and the flight before the row that names it.
-    /// Errors: a score below 1; a level name that cannot name a file; a board with places that cannot be read; see [`SaveError`]. The old
-    /// file is untouched then.
+    /// Saves a score; the file is on disk, whole, when this returns, and the flight before the row that names it. Errors: a score below 1; a level
+    /// name that cannot name a file; a board with places that cannot be read; see [`SaveError`]. The old file is untouched then.
     pub fn save_with_flight(&self, level: &str, score: Score<'_>) -> Result<Saved, ScoresError> {
         let path = self.path(level)?;
         let Score { name, points, flight } = score;
@@ -124,8 +122,7 @@ impl Scores {
         boards
     }
 
-    /// The players, and the unreadable places. Without a file there are no players.
-    /// Errors: a file that cannot be read at all.
+    /// The players, and the unreadable places. Without a file there are no players. Errors: a file that cannot be read at all.
     pub fn players(&self) -> Result<(Players, Vec<String>), ScoresError> {
         let path = self.folder.join(PLAYERS);
         Ok(players::read(&path, &bytes(&path)?))

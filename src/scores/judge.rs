@@ -2,13 +2,10 @@
 //! Checks without a flight come first.
 
 use super::board::{Board, BoardRow};
-use super::folder::Scores;
-use super::name::Name;
+use super::{folder::Scores, name::Name};
 use crate::game::{Inputs, MOST_SECONDS, Mismatch, Outcome, PROGRAM, Replay, ScoreParts, TICK_RATE, level_hash};
 use crate::level::Level;
-use std::collections::HashMap;
-use std::fmt;
-use std::sync::Arc;
+use std::{collections::HashMap, fmt, sync::Arc};
 
 /// Ticks: an hour, in which a record has a hash for each second.
 const LONGEST: u64 = MOST_SECONDS as u64 * TICK_RATE as u64;
@@ -71,8 +68,7 @@ impl fmt::Display for Doubt {
     }
 }
 
-/// How each row of a level's board stands; the error says why the level does not load. `watch` is called after each tick, with the
-/// row's index.
+/// How each row of a level's board stands; the error says why the level does not load. `watch` is called after each tick, with the row's index.
 pub fn judge(
     scores: &Scores,
     name: &str,

@@ -12,9 +12,8 @@ pub const NAME_TYPING_MAX: usize = 40;
 
 const GUEST: &str = "Guest";
 
-/// 1 to [`NAME_MAX`] characters, the first one a letter, the others letters, digits, `-` or `_`. Letters are those of ASCII: every
-/// font draws them, no two look alike, and no spreadsheet reads such a name as a formula. Names that differ in case are different
-/// users.
+/// 1 to [`NAME_MAX`] characters, the first one a letter, the others letters, digits, `-` or `_`. Letters are those of ASCII: every font draws them,
+/// no two look alike, and no spreadsheet reads such a name as a formula. Names that differ in case are different users.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Deserialize, Serialize)]
 #[serde(try_from = "String")]
 pub struct Name(String);
@@ -108,7 +107,6 @@ fn shown(character: char) -> String {
     }
 }
 
-/// The most places in a report.
 pub(super) const MOST_DAMAGE: usize = 1000;
 
 /// The unreadable places of one file, each on a line `file:line: column "name": found …, expected …`.

@@ -11,9 +11,7 @@
 //! A row without a level names a player; a row with one has the best time without help, if there is any, and the prizes. Prizes
 //! stay, whatever the level asks for later. The player chosen last comes first. A row that cannot be read becomes a line of damage and spoils no other.
 
-use std::borrow::Cow;
-use std::collections::BTreeMap;
-use std::path::Path;
+use std::{borrow::Cow, collections::BTreeMap, path::Path};
 
 use super::name::{DamageReport, Name};
 use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, csv_line, truth};

@@ -9,9 +9,8 @@ use super::players::{harmless, unharmed};
 use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, truth};
 use crate::{level, number};
 use serde::{Deserialize, Serialize, Serializer};
-use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
-use std::path::PathBuf;
+use std::{borrow::Cow, path::PathBuf};
 
 #[derive(Clone, Debug, Default)]
 pub struct LevelTally {
@@ -134,7 +133,6 @@ fn is_like<T: CsvStruct>(bytes: &[u8]) -> bool {
 /// Rows in which a header and those of a list are looked for.
 const LOOKED_AT: usize = 5;
 
-/// A row of the list of attempts.
 #[derive(Deserialize)]
 #[allow(dead_code)] // Some columns are no part of the sums.
 struct AttemptCells {
@@ -149,7 +147,6 @@ struct AttemptCells {
     assisted: bool,
 }
 
-/// A row of a list of answers.
 #[derive(Deserialize)]
 #[allow(dead_code)] // Some columns are no part of the sums.
 struct AnswerCells {
@@ -300,8 +297,7 @@ impl Results {
         self.folder.join(format!("{player}{more}.csv"))
     }
 
-    /// Adds the rows of a player.
-    /// Errors: a file that is no list of answers; see [`crate::files::SaveError`].
+    /// Adds the rows of a player. Errors: a file that is no list of answers; see [`crate::files::SaveError`].
     pub fn append(&self, rows: &[ResultRow]) -> Result<(), ScoresError> {
         let Some(first) = rows.first() else { return Ok(()) };
         let lines: String = rows.iter().map(folder::line).collect();

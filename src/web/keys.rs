@@ -46,7 +46,6 @@ fn queue(message: KeyMessage) {
     QUEUE.with_borrow_mut(|all| all.push(message));
 }
 
-/// A code that the script hands over.
 fn text(at: *mut u8, length: usize) -> String {
     // SAFETY: the script hands over what it has just filled.
     String::from_utf8_lossy(&unsafe { handed_over(at, length) }).into_owned()

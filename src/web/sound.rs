@@ -1,5 +1,4 @@
-//! Output in a page: an audio worklet of the script asks for a block when it needs one. A browser lets sound begin with the player's first
-//! press.
+//! Output in a page: an audio worklet of the script asks for a block when it needs one. A browser lets sound begin with the player's first press.
 
 use crate::sound::{Feed, Mixer};
 use std::cell::RefCell;

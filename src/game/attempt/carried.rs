@@ -2,9 +2,8 @@
 
 use super::Game;
 use crate::game::event::{GameError, Outcome};
-use crate::game::ship::SHIP;
-use crate::level::Level;
 use crate::physics::{Aabb, Body, DVec2, Sides};
+use crate::{game::ship::SHIP, level::Level};
 use std::sync::Arc;
 
 /// The depth to which two boxes may overlap, m: far above the rounding of contacts, far below a pixel.

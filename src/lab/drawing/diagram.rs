@@ -1,5 +1,4 @@
 //! A work–precision diagram: on the screen with one curve or point picked out, and on the paper of `resultant chart`.
-//!
 //! Places of a work–precision diagram on the canvas: plot, legend, points. Plain arithmetic; `diagram` draws it.
 
 use super::look_of;
@@ -8,12 +7,10 @@ use crate::draw::chart::{
 };
 use crate::draw::layout::{Area, DETAILS, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::TOLERANCE;
 use crate::lab::curve::{Measured, MethodCurve, WorkPoint};
-use crate::lab::methods::motion::ADAPTIVE;
 use crate::number::{power, short};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::TOLERANCE, lab::methods::motion::ADAPTIVE, words::tr};
 
 /// The most powers of ten that an axis names.
 const NAMED: i32 = 9;
@@ -171,7 +168,6 @@ fn names_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) -
     }
 }
 
-/// The curves by name; `picked` is highlighted.
 pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: Option<usize>) {
     let (names, size) = names_of_curves(canvas, plot, measured);
     for (index, (curve, name)) in measured.curves.iter().zip(&names).enumerate() {
@@ -197,7 +193,6 @@ fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
         if area.max().y + area.size.y / 2.0 > plot.panel.max().y {
             return;
         }
-        // Half a line stands between the curves and the notes.
         let down = Vec2::new(0.0, area.size.y / 2.0);
         sample(Area { min: area.min + down, ..area }, middle + down);
         canvas.text(text, words + down, quiet);

@@ -1,17 +1,15 @@
 //! The Lab's first page: small pictures of its charts, without legends; curves are named where there is room.
 
 use super::diagram::{Axes, shade};
-use super::look_of;
-use super::plane::Plane;
+use super::{look_of, plane::Plane};
 use crate::draw::chart::{CurveOrigin, Marker, TOLERANCE_DASH, dashed, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::curve::{Measured, MethodCurve};
-use crate::lab::savings::Saving;
 use crate::lab::stability::{self, Region, SHIPPED, SHIPPED_LIMITS, limit};
 use crate::number::{power, short};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::savings::Saving, words::tr};
 
 /// Left of and below a small diagram: the powers of ten at its ends, and the names of its axes.
 const LEFT: f32 = 44.0;

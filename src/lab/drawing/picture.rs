@@ -1,11 +1,9 @@
 //! The picture of a method's failure: small, beside its line of a table, or large, with its axes.
-//!
 //! The Lab's charts on sheets of SVG.
 
 use super::diagram::{self, DiagramPlaces};
 use super::plane::{self, Plane};
 use super::timeline;
-use crate::draw::chart::Decades;
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::curve::{ANOTHER_BUILD, Measured};
@@ -13,10 +11,8 @@ use crate::lab::savings::{Saving, TITLE as TITLE_OF_SAVINGS};
 use crate::lab::stability::{Region, TITLE};
 use crate::lab::stress::picture::{FailurePicture, Polyline};
 use crate::number::{power, short, step};
-use crate::physics::SOURCES;
-use crate::view::lanes::sheet;
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::chart::Decades, physics::SOURCES, view::lanes::sheet, words::tr};
 
 /// Above and below a large picture's plot: the names of its axes and their ends.
 const TOP: f32 = 44.0;

@@ -1,15 +1,12 @@
 //! The complex plane of z = h·λ on the canvas with its legend, and the stability regions of methods in it.
 
-use super::diagram::shade;
-use super::look_of;
+use super::{diagram::shade, look_of};
 use crate::draw::chart::{CurveLook, CurveOrigin, WORDS as WORDS_AT, marker, sample, stroke};
 use crate::draw::layout::{Area, DETAILS, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::methods::METHODS;
 use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
-use crate::number::fixed;
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::methods::METHODS, number::fixed, words::tr};
 
 /// Margins of the plane in its panel, for values and names of the axes.
 const LEFT: f32 = 64.0;
@@ -17,7 +14,6 @@ const TOP: f32 = 48.0;
 const BOTTOM: f32 = 60.0;
 /// Its widest part of an area where it has no legend.
 const MOST: f32 = 0.6;
-/// Width of the legend.
 const LEGEND: f32 = 400.0;
 /// The same in heights of small text where that is large, and the most of the panel's width.
 const WIDE: f32 = 21.0;

@@ -1,5 +1,4 @@
-//! A scene over time: the error of every method above, the kept energy below. The picture of `resultant chart`, with one method
-//! picked out.
+//! A scene over time: the error of every method above, the kept energy below. The picture of `resultant chart`, with one method picked out.
 //!
 //! The axes of a scene over time: error upwards in decades, energy in parts of what it should be, both above the same time. A
 //! moment lies at parts of the axes, 0 … 1, so that paper and screen draw the same.
@@ -9,12 +8,10 @@ use super::look_of;
 use crate::draw::chart::{CurveLook, Decades, LEAST_ERROR, TOLERANCE_DASH, dashed, round_numbers, stroke};
 use crate::draw::layout::{Area, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::TOLERANCE;
 use crate::lab::curve::{CoursePoint, Measured, OverTime};
 use crate::number::{power, short, step};
-use crate::view::lanes::LaneAxes;
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::TOLERANCE, view::lanes::LaneAxes, words::tr};
 
 /// The error's share of the height, where there is an energy, too.
 const UPPER: f32 = 0.55;
@@ -41,7 +38,9 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Meas
     dashed(canvas, &[from, to], TOLERANCE_DASH, 2.0, theme::good());
     let (least, most) = axes.energy.unwrap_or_default();
     let energies = round_numbers(least, most, NAMED - 2).into_iter();
-    let energies: Vec<_> = energies.map(|energy| ((energy - least) / (most - least), energy_name(energy))).collect();
+    // The largest stands for all beyond it.
+    let name = |energy| if energy >= ENERGIES.1 { format!("≥ {}", short(ENERGIES.1)) } else { short(energy) };
+    let energies: Vec<_> = energies.map(|energy| ((energy - least) / (most - least), name(energy))).collect();
     let lower = axes.energy.map(|_| {
         let top = upper.area.max().y + BETWEEN;
         let area = Area::new(whole.min.x, top, whole.size.x, whole.max().y + 8.0 - top);
@@ -109,11 +108,6 @@ impl Timeline {
         let part = ((energy - least) / (most - least)).clamp(0.0, 1.0);
         Some((moment.time / self.end, if part.is_nan() { 1.0 } else { part }))
     }
-}
-
-/// An energy as a label: the largest stands for all beyond it.
-pub fn energy_name(energy: f64) -> String {
-    if energy >= ENERGIES.1 { format!("≥ {}", short(ENERGIES.1)) } else { short(energy) }
 }
 
 /// An error clamped to the axis: rounding at the lower edge, blown-up runs at the upper one.

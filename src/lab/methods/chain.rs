@@ -1,8 +1,7 @@
-//! A chain of bodies in contact along one axis: columns, rows, something heavy on something light. The contact solvers of games act
-//! on velocities: body j+1 must not come nearer to body j than their gap allows within the step, `v[j+1] − v[j] ≥ −gap/h`, by impulses
-//! λ ≥ 0. Here they are solved by sequential impulses (projected Gauss–Seidel; E. Catto, "Iterative Dynamics with Temporal
-//! Coherence", GDC 2005), cold or warm-started or in substeps, with soft contacts, as positions, and directly. Across the axis friction
-//! acts by the same impulses, within ±μ·λ.
+//! A chain of bodies in contact along one axis: columns, rows, something heavy on something light. The contact solvers of games act on velocities:
+//! body j+1 must not come nearer to body j than their gap allows within the step, `v[j+1] − v[j] ≥ −gap/h`, by impulses λ ≥ 0. Here they are solved
+//! by sequential impulses (projected Gauss–Seidel; E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005), cold or warm-started or in
+//! substeps, with soft contacts, as positions, and directly. Across the axis friction acts by the same impulses, within ±μ·λ.
 //!
 //! Soft contacts (E. Catto, "Solver2D", 2024, there "TGS soft"): a damped spring of a frequency takes overlaps back, and a second sweep
 //! without it takes back the velocity that it gave. Positions (XPBD; M. Macklin, M. Müller, N. Chentanez, "XPBD", Motion in Games 2016;

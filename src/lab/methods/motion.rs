@@ -83,8 +83,7 @@ pub fn semi_implicit_euler(law: &MotionLaw, point: PointState, h: f64) -> PointS
     PointState { x: point.x + v * h, v }
 }
 
-/// Second order; symplectic without drag. The acceleration at the end is taken at the velocity that Euler predicts, since drag depends
-/// on it.
+/// Second order; symplectic without drag. The acceleration at the end is taken at the velocity that Euler predicts, since drag depends on it.
 pub fn velocity_verlet(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     let PointState { x, v } = point;
     let a = law.acceleration(point);

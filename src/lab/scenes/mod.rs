@@ -4,8 +4,6 @@ pub mod bouncing;
 pub mod collisions;
 pub mod flight;
 pub mod oscillator;
-pub mod pi;
-pub mod sliding;
 pub mod springs;
 pub mod stacks;
 
@@ -24,7 +22,7 @@ pub fn all() -> Vec<LabScene> {
         springs::pendulum_swing(),
         springs::shock_absorber(),
         springs::orbit(),
-        sliding::to_a_stop(),
+        bouncing::to_a_stop(),
         bouncing::perfect(),
         bouncing::apexes(),
         collisions::cradle(),
@@ -34,7 +32,7 @@ pub fn all() -> Vec<LabScene> {
         stacks::friction_tower(),
         stacks::time_to_rest(),
         collisions::thin_wall(),
-        pi::digits(),
+        collisions::digits(),
     ]
 }
 

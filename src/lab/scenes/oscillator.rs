@@ -67,11 +67,6 @@ fn swinging() -> FlyingBody {
     afloat(stiffness(), MASS, SWING)
 }
 
-fn error_at_end(by: By<MotionStep>, h: f64) -> f64 {
-    let steps_end = (SECONDS / h).round() * h;
-    swinging().end(by, SECONDS, h).map_or(f64::NAN, |point| (point.x.y - place_at(steps_end)).abs())
-}
-
 fn worst_energy(by: By<MotionStep>, seconds: f64, h: f64) -> f64 {
     worst(swinging().running(by, h).each(seconds, |_, point| (energy_of(point) - 1.0).abs()))
 }
@@ -85,7 +80,11 @@ fn moments(by: By<MotionStep>, seconds: f64, h: f64) -> Vec<CoursePoint> {
 
 pub fn swing() -> LabScene {
     let title = "A floating box swings without drag (ω = √(ρgA/m)), 10 s";
-    let methods = SceneMethod::all(INTEGRATORS.iter().copied(), error_at_end);
+    let error = |by, h: f64| {
+        let end = swinging().end(by, SECONDS, h);
+        end.map_or(f64::NAN, |point| (point.x.y - place_at((SECONDS / h).round() * h)).abs())
+    };
+    let methods = SceneMethod::all(INTEGRATORS.iter().copied(), error);
     let methods = over_tolerances(methods, &swinging(), SECONDS, DVec2::new(0.0, place_at(SECONDS)));
     LabScene { methods, world: swinging().world(), ..LabScene::new("oscillator", title, SECONDS, 1) }
 }
@@ -110,8 +109,7 @@ mod tests {
     use super::*;
     use crate::lab::methods::motion::{explicit_euler, rk4, velocity_verlet, yoshida};
 
-    /// Verlet's energy on a spring stays within (ωh)²/4 of the right one for ever (Hairer, Lubich, Wanner, I.5); RK4's fades by
-    /// (ωh)⁶/72 a step.
+    /// Verlet's energy on a spring stays within (ωh)²/4 of the right one for ever (Hairer, Lubich, Wanner, I.5); RK4's fades by (ωh)⁶/72 a step.
     #[test]
     fn symplectic_methods_keep_the_energy_that_others_lose() {
         let (h, seconds) = (1.0 / 60.0, PERIODS * period());

@@ -2,13 +2,12 @@
 //! methods stay, and the engine is exact.
 
 use super::flight::{FlyingBody, over_tolerances};
-use crate::lab::contract::Model;
 use crate::lab::curve::{CoursePoint, sampled};
 use crate::lab::methods::motion::{MotionLaw, PointState};
 use crate::lab::methods::{INTEGRATORS, METHODS};
-use crate::lab::scenes::flight;
 use crate::lab::{LabScene, SceneMethod};
 use crate::physics::{BodyDef, BodyId, DVec2, LinkDef, LinkEnd, LinkLaw, Spring, WorldDef};
+use crate::{lab::contract::Model, lab::scenes::flight};
 
 /// N/kg.
 pub const G: f64 = 9.81;

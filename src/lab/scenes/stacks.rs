@@ -65,11 +65,6 @@ impl ContactChain {
         Self { gap: DROP, ..Self::standing(vec![1.0; n]) }
     }
 
-    /// When the last block of a column without bounces lies, s: all fall alike, and the topmost falls through all gaps.
-    pub fn rests_after(&self) -> f64 {
-        (2.0 * self.gap * self.masses.len() as f64 / G).sqrt()
-    }
-
     /// When it does, s: infinite where a block still moves after `seconds`.
     pub fn found_at_rest(&self, by: By<Solver>, seconds: f64, h: f64) -> f64 {
         let moves = |chain: &Chain| chain.velocities.iter().any(|v| v.is_nan() || v.abs() > RESTS);
@@ -178,7 +173,9 @@ pub fn friction_tower() -> LabScene {
 
 pub fn time_to_rest() -> LabScene {
     let pile = ContactChain::dropped(TOWER);
-    let (world, exact) = (pile.world(), pile.rests_after());
+    let world = pile.world();
+    // s: all fall alike, and the topmost falls through all gaps.
+    let exact = (2.0 * pile.gap * pile.masses.len() as f64 / G).sqrt();
     let methods = SceneMethod::all(SOLVERS, move |by, h| (pile.found_at_rest(by, SECONDS, h) - exact).abs());
     let title = format!("A pile of {TOWER} falling blocks comes to rest");
     let note = "At rest: no block is faster than 1 mm/s from then on. Upper edge: never within 10 s.";

@@ -1,7 +1,6 @@
 //! Stress tests: the largest value that each method survives, the shipped engine among them. A function of its own for each test says
 //! whether a method survives, so that tests can call it for single values.
 
-pub mod bouncing;
 pub mod motion;
 pub mod picture;
 pub mod robustness;
@@ -157,10 +156,10 @@ pub const TESTS: [fn() -> StressTest; 19] = [
     standing::tunnelling_of_bodies,
     standing::heavy_on_light,
     standing::columns,
-    bouncing::resting_jitter,
-    bouncing::coulomb_stop,
-    bouncing::zeno,
-    bouncing::minute_of_bounces,
+    robustness::resting_jitter,
+    robustness::coulomb_stop,
+    robustness::zeno,
+    robustness::minute_of_bounces,
     standing::simultaneous_impacts,
     standing::simultaneous_impacts_in_a_crowd,
     robustness::far_from_the_origin,

@@ -1,14 +1,11 @@
 //! Integrators fail where a body is so light that a step overshoots its terminal velocity, and where gusts turn it round.
 
-use super::picture::FailurePicture;
-use super::{G, StressTest, Trial};
-use crate::lab::TICK;
+use super::{G, StressTest, Trial, picture::FailurePicture};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, exact_fall};
 use crate::lab::methods::{INTEGRATORS, METHODS};
-use crate::lab::scenes::flight::FlyingBody;
 use crate::lab::scenes::{oscillator, springs};
-use crate::physics::DVec2;
+use crate::{lab::TICK, lab::scenes::flight::FlyingBody, physics::DVec2};
 
 /// Steps after which a fall has long settled.
 const LONG: usize = 2000;

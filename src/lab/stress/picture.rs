@@ -61,8 +61,7 @@ impl FailurePicture {
         span(points.map(|(x, _)| *x)).unwrap_or((0.0, 1.0))
     }
 
-    /// The view's ranges to the right and upwards. It holds every exact value, and the method's own where they do not leave that too
-    /// far.
+    /// The view's ranges to the right and upwards. It holds every exact value, and the method's own where they do not leave that too far.
     pub fn window(&self) -> (ValueSpan, ValueSpan) {
         let heights = |lines: &[Polyline]| span(lines.iter().flatten().map(|(_, y)| *y));
         let band = self.right.into_iter().chain(self.solid).flat_map(|(from, to)| [from, to]);
@@ -92,7 +91,6 @@ impl FailurePicture {
     }
 }
 
-/// The least and the largest finite value.
 fn span(values: impl Iterator<Item = f64>) -> Option<ValueSpan> {
     let finite = values.filter(|value| value.is_finite());
     finite.fold(None, |span, value| {

@@ -1,16 +1,12 @@
 //! Solvers of resting contacts fail at unequal masses and in tall columns.
-//!
 //! Methods of impact fail at thin obstacles and at many contacts at one instant.
 
-use super::picture::FailurePicture;
-use super::{G, StressTest, Trial};
-use crate::lab::TICK;
+use super::{G, StressTest, Trial, picture::FailurePicture};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::chain::{Solver, sweeps_needed, swept_loads, weights, worst_load};
-use crate::lab::methods::impact::ImpactStep;
 use crate::lab::scenes::collisions::{BlockLine, METHODS, Meeting, STEPS, STRIKE, THIN};
-use crate::lab::scenes::stacks::ContactChain;
 use crate::physics::{BodyId, ForceKind, World};
+use crate::{lab::TICK, lab::methods::impact::ImpactStep, lab::scenes::stacks::ContactChain};
 
 /// m. The overlap that a resting pair may show at any tick.
 pub const OVERLAP: f64 = 1e-6;
@@ -29,7 +25,6 @@ const AT_REST: [(&str, Solver); 5] = [
 ];
 /// s. Bodies rest for this time.
 const RESTING: f64 = 2.0;
-/// The upward label of every picture.
 const LOAD: &str = "worst force / right one";
 
 /// The force that carries a body itself, N: the reaction from below without the push of the bodies above, which is their weight.
@@ -63,7 +58,6 @@ fn shipped_loads(masses: &[f64]) -> Vec<(f64, f64)> {
     (1..=(RESTING / TICK) as u32).map(after_step).collect()
 }
 
-/// The same by hand.
 fn loads(masses: &[f64], solver: Solver) -> Vec<(f64, f64)> {
     let exact: Vec<f64> = weights(masses).iter().map(|mass| mass * G * TICK / f64::from(solver.parts())).collect();
     let column = ContactChain::standing(masses.to_vec());
@@ -104,16 +98,6 @@ pub fn columns() -> StressTest {
     StressTest { whole: true, ..test }
 }
 
-/// The sag of a resting pair of 1 kg and `ratio` kg with the shipped engine, m.
-pub fn shipped_sag(ratio: f64) -> f64 {
-    ContactChain::standing(vec![1.0, ratio]).sag(By::Engine, RESTING, TICK)
-}
-
-/// Whether a box of 0.5 m never gets through an obstacle of 0.1 m and `mass` (kg; infinite: a wall) at 60 Hz.
-pub fn stays_out(by: By<ImpactStep>, speed: f64, mass: f64) -> bool {
-    Meeting { speed, mass }.fails_at(by, TICK).is_none()
-}
-
 /// The places of the first `blocks` over the steps since `first`.
 fn with_paths(picture: FailurePicture, paths: &[Vec<f64>], blocks: usize, first: usize) -> FailurePicture {
     let path =
@@ -142,7 +126,7 @@ fn met(by: By<ImpactStep>, meeting: Meeting) -> FailurePicture {
 
 fn tunnels(name: &'static str, mass: f64) -> StressTest {
     let picture = move |by, speed| met(by, Meeting { speed, mass });
-    let methods = Trial::all_showing(METHODS, move |by, speed| stays_out(by, speed, mass), picture);
+    let methods = Trial::all_showing(METHODS, move |by, speed| Meeting { speed, mass }.fails_at(by, TICK).is_none(), picture);
     StressTest::of(name, "speed at h = 1/60 s, m/s", (1.0, 1e6), methods)
 }
 

@@ -8,20 +8,12 @@ use super::model::{self, Document, Kept};
 use crate::files::{self, Lock, Manner, Symlinks};
 use crate::level::folder::{LevelDisk, load_from};
 use crate::level::image::{BACKGROUND, Files, png_size};
-use crate::level::problem::Problem;
 use crate::level::read::{Loaded, read, read_unfinished};
-use crate::level::schema::Table;
-use crate::physics::DVec2;
-use crate::words::tr;
-use std::collections::BTreeMap;
+use crate::{level::problem::Problem, level::schema::Table, physics::DVec2, words::tr};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::Duration;
-use std::{env, fmt, io, process};
+use std::{collections::BTreeMap, env, fmt, io, process, sync::Arc, time::Duration};
 
-/// The file of unsaved edits.
 const KEPT: &str = ".autosave";
-/// The folder of the pictures that levels share.
 const ASSETS: &str = "assets";
 /// The depth of its folders that are searched.
 const ASSETS_DEPTH: u32 = 3;
@@ -34,7 +26,6 @@ pub struct LevelFolder {
     project: PathBuf,
     /// The files' bytes when they were opened or saved last, by [`Table`].
     known: Vec<Option<Vec<u8>>>,
-    /// Of an editor.
     _lock: Option<Arc<EditorLock>>,
 }
 
@@ -79,8 +70,7 @@ impl fmt::Display for LevelSaveError {
 }
 
 impl LevelFolder {
-    /// Images are looked up in `folder`, then under `project`. A level that the loader refuses can be opened.
-    /// Errors: an unreadable file, in words.
+    /// Images are looked up in `folder`, then under `project`. A level that the loader refuses can be opened. Errors: an unreadable file, in words.
     pub fn open(folder: &Path, project: &Path) -> Result<Opened, String> {
         Self::open_with(folder, project, None)
     }
@@ -169,15 +159,13 @@ impl LevelFolder {
         document.bytes(table) != self.known[table.index()].as_deref()
     }
 
-    /// The files that another program has changed since they were opened or saved, with their bytes now; an unreadable file counts as
-    /// unchanged.
+    /// The files that another program has changed since they were opened or saved, with their bytes now; an unreadable file counts as unchanged.
     pub fn changed(&self) -> Vec<(Table, Option<Vec<u8>>)> {
         let now = Table::ALL.iter().filter_map(|table| Some((*table, read_table(&self.folder, *table).ok()?)));
         now.filter(|(table, bytes)| *bytes != self.known[table.index()]).collect()
     }
 
-    /// Takes over the changes of other programs in files without edits. Returns whether there were any, and the changed files with edits,
-    /// which stay.
+    /// Takes over the changes of other programs in files without edits. Returns whether there were any, and the changed files with edits, which stay.
     pub fn take_over(&mut self, document: &mut Document) -> (bool, Vec<Table>) {
         let (mut taken, mut both) = (false, Vec::new());
         for (table, bytes) in self.changed() {
@@ -193,9 +181,8 @@ impl LevelFolder {
         (taken, both)
     }
 
-    /// Keeps one side's files where both have written; a copy of the other side's is left beside each, and is one undo away. Returns the names
-    /// of the copies.
-    /// Errors: a copy that cannot be written, in words; the document stays.
+    /// Keeps one side's files where both have written; a copy of the other side's is left beside each, and is one undo away. Returns the names of the
+    /// copies. Errors: a copy that cannot be written, in words; the document stays.
     pub fn settle(&mut self, document: &mut Document, side: KeptSide) -> Result<Vec<String>, String> {
         self.take_over(document);
         let (both, mut copies) = (self.changed(), Vec::new());
@@ -221,8 +208,7 @@ impl LevelFolder {
         Ok(copies)
     }
 
-    /// Writes every file that has changed.
-    /// Errors: see [`LevelSaveError`]; no edit is lost.
+    /// Writes every file that has changed. Errors: see [`LevelSaveError`]; no edit is lost.
     pub fn save(&mut self, document: &Document) -> Result<(), LevelSaveError> {
         let changed: Vec<Table> = Table::ALL.iter().copied().filter(|table| self.is_edited(*table, document)).collect();
         let theirs: Vec<Table> =
@@ -245,8 +231,7 @@ impl LevelFolder {
         Ok(())
     }
 
-    /// Keeps unsaved edits beside the files, in case the program ends without a save.
-    /// Errors: the error of the system.
+    /// Keeps unsaved edits beside the files, in case the program ends without a save. Errors: the error of the system.
     pub fn keep(&self, document: &Document) -> io::Result<()> {
         if self.is_unsaved(document) {
             return self.write_kept(document, false);
@@ -294,8 +279,7 @@ struct EditorLock {
 }
 
 impl EditorLock {
-    /// `None` in a folder that takes no lock, such as a read-only one.
-    /// Errors: another editor has the level, by its user and process, in words.
+    /// `None` in a folder that takes no lock, such as a read-only one. Errors: another editor has the level, by its user and process, in words.
     pub fn take(folder: &Path) -> Result<Option<Self>, String> {
         let path = folder.join(".autosave.lock");
         match Lock::wait(&path, Duration::ZERO) {

@@ -1,16 +1,13 @@
 //! Operations on rows: to change cells, to add, move, double and take out rows. Each can be undone.
-//!
 //! Carries operations out, undoes them, and joins the operations of one gesture.
-//!
 //! Rows that are doubled, and rows as a text of the clipboard, for this level or another one.
 
 use super::links::shifted_end;
 use super::model::{ByteChange, Document, EditChange, NewRow, RowId, SetCell};
 use super::places::{FINEST, Place, number, parsed, points, shape, shape_text, way_text};
 use super::sheet::{Added, CellEdit, EditedFile};
-use crate::files::csv_line;
 use crate::level::schema::{Kind, Table};
-use crate::physics::DVec2;
+use crate::{files::csv_line, physics::DVec2};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Document {
@@ -77,7 +74,7 @@ impl Document {
         match kind {
             Kind::Mover => cells.push(("way_points", way_text(&[at - DVec2::new(0.0, 6.0 * size.y.max(20.0))]))),
             Kind::Door => cells.push(("name", self.free_name(kind))),
-            Kind::Switch => cells.push(("works", self.first_worked())),
+            Kind::Switch => cells.push(("works", self.names().first().map_or("gate", |name| name).to_owned())),
             _ => {}
         }
         Ok(self.add(&[NewRow { kind, cells }])?.first().copied())
@@ -198,7 +195,7 @@ impl Document {
     fn bytes_before(&self, table: Table, gesture: Option<u64>) -> Option<Vec<u8>> {
         let (now, begun) = (self.bytes(table), self.begun(gesture));
         let change = begun.and_then(|change| change.files.iter().find(|file| file.table == table));
-        change.map_or_else(|| now.map(<[u8]>::to_vec), |change| change.undone(now))
+        change.map_or_else(|| now.map(<[u8]>::to_vec), |change| change.turned(now, 0))
     }
 
     /// A file as it was before the gesture began.
@@ -209,7 +206,7 @@ impl Document {
     /// Returns whether there was an operation to undo.
     pub fn undo(&mut self) -> bool {
         let Some(change) = self.undo.pop() else { return false };
-        self.write(change.files.iter().map(|file| (file.table, file.undone(self.bytes(file.table)))).collect());
+        self.write(change.files.iter().map(|file| (file.table, file.turned(self.bytes(file.table), 0))).collect());
         self.redo.push(change);
         true
     }
@@ -217,7 +214,7 @@ impl Document {
     /// Returns whether there was an operation to redo.
     pub fn redo(&mut self) -> bool {
         let Some(change) = self.redo.pop() else { return false };
-        self.write(change.files.iter().map(|file| (file.table, file.redone(self.bytes(file.table)))).collect());
+        self.write(change.files.iter().map(|file| (file.table, file.turned(self.bytes(file.table), 1))).collect());
         self.undo.push(change);
         true
     }

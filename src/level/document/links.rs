@@ -1,13 +1,10 @@
 //! Links: what an author chooses of them, and their ends by the names of bodies or as places.
-//!
 //! The wires from switches to things, by the names of the things.
 
 use super::model::{Document, NewRow, RowId, SetCell};
 use super::places::{Place, number, point};
 use crate::level::schema::{Column, Kind, Table};
-use crate::level::wiring::names_in;
-use crate::physics::DVec2;
-use crate::words::tr;
+use crate::{level::wiring::names_in, physics::DVec2, words::tr};
 use std::collections::BTreeMap;
 
 /// A link is taken hold of by a square around its middle, pixels.
@@ -72,8 +69,7 @@ impl Document {
         self.add_in(&[NewRow { kind: Kind::Link, cells }], Some(gesture))
     }
 
-    /// The cells that lead an end of a link, 0 or 1, to the body at a place, pixels, or to that place.
-    /// Errors: as [`Document::link`].
+    /// The cells that lead an end of a link, 0 or 1, to the body at a place, pixels, or to that place. Errors: as [`Document::link`].
     pub fn led(&self, row: RowId, end: usize, to: DVec2) -> Result<Vec<SetCell>, String> {
         let ([text], mut cells) = self.ends_at([to]);
         let mut ends = ENDS.map(|column| self.cell(row, column).unwrap_or_default().to_owned());
@@ -163,7 +159,6 @@ impl Document {
         }
     }
 
-    /// The body at an end of a link.
     fn end_body(&self, row: RowId, column: &str) -> Option<RowId> {
         let text = self.cell(row, column).filter(|_| row.table == Table::Links)?.trim();
         if text.eq_ignore_ascii_case("ship") {
@@ -226,7 +221,6 @@ fn place_text(place: DVec2) -> String {
     format!("{} {}", number(place.x), number(place.y))
 }
 
-/// The tables whose rows have a name that a switch can work.
 fn worked() -> impl Iterator<Item = Table> {
     Table::ALL.iter().copied().filter(|table| table.has(Column::is_name))
 }
@@ -299,7 +293,6 @@ impl Document {
         if named.is_empty() {
             return Vec::new();
         }
-        // Each old name with the new ones.
         let mut new: BTreeMap<String, Vec<String>> = BTreeMap::new();
         for table in worked() {
             let before = self.before(table, gesture);
@@ -343,7 +336,7 @@ impl Document {
         rewired
     }
 
-    fn names(&self) -> Vec<&str> {
+    pub(super) fn names(&self) -> Vec<&str> {
         let rows = worked().flat_map(|table| self.rows(table));
         rows.flat_map(|row| names_in(self.cell(row, "name").unwrap_or_default()).filter(|name| !name.is_empty())).collect()
     }
@@ -360,10 +353,5 @@ impl Document {
         let first = (1_u32..).map(|number| if number == 1 { stem.to_owned() } else { format!("{stem}{number}") });
         let mut free = first.filter(|name| !known.contains(&name.as_str()));
         free.next().unwrap_or_default()
-    }
-
-    /// The name of the first thing that has one, else a name to be replaced.
-    pub(super) fn first_worked(&self) -> String {
-        self.names().first().map_or("gate", |name| name).to_owned()
     }
 }

@@ -7,15 +7,9 @@
 
 use super::places::{Place, parsed, shape};
 use super::sheet::EditedFile;
-use crate::files;
-use crate::level::image::Files;
-use crate::level::numbers::PixelScale;
 use crate::level::schema::{Column, Kind, Table};
-use crate::level::types::SHIP_HEIGHT;
-use crate::physics::DVec2;
-use crate::words::tr;
-use std::collections::BTreeMap;
-use std::io;
+use crate::{files, level::image::Files, level::numbers::PixelScale, level::types::SHIP_HEIGHT, physics::DVec2, words::tr};
+use std::{collections::BTreeMap, io};
 
 /// Width of a letter in heights of it, about.
 const LETTER: f64 = 0.5;
@@ -86,10 +80,6 @@ impl Document {
         names.sort_unstable();
         names.dedup();
         names
-    }
-
-    fn picture_size(&self, image: &str) -> Option<DVec2> {
-        shape(image).map(|(_, size)| size).or_else(|| self.pictures.get(image).copied())
     }
 
     pub(super) fn sheet(&self, table: Table) -> &EditedFile {
@@ -180,7 +170,11 @@ impl Document {
         let size = match kind {
             Kind::Setting | Kind::Hint => return None,
             Kind::Ship => DVec2::splat(SHIP_HEIGHT * self.metre()),
-            Kind::Object | Kind::Key | Kind::Picture => self.picture_size(self.cell(row, "image")?).unwrap_or(DVec2::splat(20.0)),
+            Kind::Object | Kind::Key | Kind::Picture => {
+                let image = self.cell(row, "image")?;
+                let size = shape(image).map(|(_, size)| size).or_else(|| self.pictures.get(image).copied());
+                size.unwrap_or(DVec2::splat(20.0))
+            }
             Kind::Text => {
                 let height = self.number(row, "size")?.abs();
                 DVec2::new(LETTER * height * self.cell(row, "text").map_or(0, |text| text.chars().count()) as f64, height)
@@ -250,7 +244,6 @@ impl Files for Over<'_> {
     }
 }
 
-/// The file's first line.
 const MARK: &str = "resultant autosave 1\n";
 /// Its last line: a file without it was cut short.
 const END: &str = "end\n";
@@ -325,15 +318,8 @@ impl ByteChange {
         Some(Self { table, exists, at, bytes })
     }
 
-    pub fn undone(&self, after: Option<&[u8]>) -> Option<Vec<u8>> {
-        self.turned(after, 0)
-    }
-
-    pub fn redone(&self, before: Option<&[u8]>) -> Option<Vec<u8>> {
-        self.turned(before, 1)
-    }
-
-    fn turned(&self, now: Option<&[u8]>, to: usize) -> Option<Vec<u8>> {
+    /// The bytes before the change (0) or after it (1), of those at its other side.
+    pub fn turned(&self, now: Option<&[u8]>, to: usize) -> Option<Vec<u8>> {
         let mut bytes = now.unwrap_or_default().to_vec();
         bytes.splice(self.at..self.at + self.bytes[1 - to].len(), self.bytes[to].iter().copied());
         self.exists[to].then_some(bytes)

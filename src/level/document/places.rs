@@ -50,7 +50,6 @@ pub fn way_text(points: &[DVec2]) -> String {
     points.iter().map(|point| format!("{} {}", number(point.x), number(point.y))).collect::<Vec<_>>().join("; ")
 }
 
-/// `None` where they cannot be read.
 pub(super) fn points(text: &str) -> Option<Vec<DVec2>> {
     let points = text.split(';').map(str::trim).filter(|point| !point.is_empty());
     points.map(point).collect()

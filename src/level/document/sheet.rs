@@ -230,8 +230,7 @@ impl EditedFile {
         self.spliced(taken.map(|row| (row.span.clone(), String::new())).collect())
     }
 
-    /// Ranges count the bytes before any splice.
-    /// Errors: the file would be read as if its cells were separated otherwise.
+    /// Ranges count the bytes before any splice. Errors: the file would be read as if its cells were separated otherwise.
     fn spliced(&self, mut splices: Vec<Splice>) -> Result<Vec<u8>, String> {
         let mut text = self.text.clone();
         splices.sort_by_key(|(range, _)| range.start);

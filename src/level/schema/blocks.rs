@@ -1,17 +1,14 @@
 //! Rows of solid blocks, world.csv, movers.csv and doors.csv; and of switches.csv.
-//!
 //! Rows of links.csv.
 
 use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
-use super::typed::{MATERIAL, Row as _, RowCells, RowReader, Word, by_word, number, one_of, rows};
+use super::typed::{FromRow, MATERIAL, Row as _, RowCells, RowReader, Word, by_word, number, one_of, rows};
 use super::values::{LinkRowEnd, WayPoints, Works};
 use crate::level::numbers::{self, MIN_SIZE};
-use crate::level::problem::quoted;
 use crate::level::route::{MoverPace, Route, RouteShape, path};
-use crate::level::types::{Mover, Presser, Solid, Switch, SwitchStay};
-use crate::level::unbound::UnboundLink;
-use crate::physics::{DVec2, LinkLaw, Magnet, Material, Sides, Spring};
-use crate::words::tr;
+use crate::level::types::{LevelLink, Mover, Object, Presser, Solid, Switch, SwitchStay};
+use crate::physics::{BodyId, DVec2, LinkDef, LinkEnd, LinkLaw, Magnet, Material, Sides, Spring};
+use crate::{level::problem::quoted, words::tr};
 
 pub static WORLD: FileSchema = FileSchema {
     name: "world.csv",
@@ -253,4 +250,44 @@ pub fn link(record: &RowCells, reader: &mut RowReader) -> Option<UnboundLink> {
     let (hook, rate, name) = (row.hook == LinkBegin::Touch, row.rate, row.name);
     let ends = [row.a, row.b].map(|end| end.in_metres(reader.scale));
     (reader.problems.len() == before).then_some(UnboundLink { ends, law, as_found: length.is_none(), hook, breaks, rate, name })
+}
+
+/// The most links of a level: a stiff one takes some 10 µs a tick.
+pub(in crate::level) const MOST_LINKS: usize = 256;
+
+/// A link whose ends are names.
+#[derive(Clone, Debug)]
+pub(in crate::level) struct UnboundLink {
+    pub ends: [LinkRowEnd; 2],
+    pub law: LinkLaw,
+    pub as_found: bool,
+    pub hook: bool,
+    pub breaks: Option<f64>,
+    pub rate: f64,
+    pub name: Option<String>,
+}
+
+impl UnboundLink {
+    /// `None` where an end has no body, or where neither is one.
+    pub fn bind(&self, objects: &[FromRow<Object>]) -> Option<LevelLink> {
+        let end = |end: &LinkRowEnd| match end {
+            LinkRowEnd::Ship => Some(LinkEnd::Body(BodyId(0))),
+            LinkRowEnd::Place(place) => Some(LinkEnd::Place(*place)),
+            LinkRowEnd::Object(name) => {
+                let found = objects.iter().position(|object| object.item.name.as_ref() == Some(name));
+                Some(LinkEnd::Body(BodyId(found? as u32 + 1)))
+            }
+        };
+        let (body, to) = match (end(&self.ends[0])?, end(&self.ends[1])?) {
+            (LinkEnd::Body(body), to) | (to, LinkEnd::Body(body)) => (body, to),
+            (LinkEnd::Place(_), LinkEnd::Place(_)) => return None,
+        };
+        let Self { law, as_found, hook, breaks, rate, .. } = *self;
+        Some(LevelLink { def: LinkDef { body, to, law, as_found, hook, breaks, rate }, name: self.name.clone() })
+    }
+}
+
+pub(in crate::level) fn bound(links: &[FromRow<UnboundLink>], objects: &[FromRow<Object>]) -> Vec<LevelLink> {
+    let bound = links.iter().filter_map(|link| link.item.bind(objects));
+    bound.filter(|link| link.def.to != LinkEnd::Body(link.def.body)).take(MOST_LINKS).collect()
 }

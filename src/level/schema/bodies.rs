@@ -4,11 +4,9 @@ use super::facts::{Column, Count, FileSchema, Holds, RowSchema, whole_number};
 use super::typed::{
     CENTRE_X, CENTRE_Y, MATERIAL, Row as _, RowCells, RowReader, VX, VY, boolean, channel, number, rows, whole, words,
 };
-use crate::level::numbers;
-use crate::level::problem::quoted;
 use crate::level::types::{Look, Object, Objective, ObjectiveKind, ShipStart};
 use crate::physics::{DVec2, Material};
-use crate::words::tr;
+use crate::{level::numbers, level::problem::quoted, words::tr};
 
 pub static PLAYER: FileSchema = FileSchema {
     name: "player.csv",

@@ -4,10 +4,7 @@ use super::values::{LinkRowEnd, Together, WayPoints, Works, is_name};
 use crate::files::{Dialect, truth};
 use crate::level::numbers::{self, NumberRange, PixelScale, power};
 use crate::level::problem::{Problem, meant};
-use crate::level::types::Level;
-use crate::level::wiring::names_in;
-use crate::physics::DVec2;
-use crate::words::tr;
+use crate::{level::types::Level, level::wiring::names_in, physics::DVec2, words::tr};
 use std::borrow::Cow;
 
 #[derive(Debug)]
@@ -321,7 +318,6 @@ impl RowSchema {
         self.columns.iter().map(Column::in_brackets).collect::<Vec<_>>().join(",")
     }
 
-    /// The columns as a refusal names them.
     pub(in crate::level) fn columns_wanted(&self) -> String {
         tr!("the columns {columns}", columns = self.columns_text())
     }

@@ -118,7 +118,6 @@ impl Kind {
         self.schema().name
     }
 
-    /// The kind of a row by its table and first cell; `None` where that is none.
     pub(in crate::level) fn of(table: Table, first: &str) -> Option<Self> {
         let is = |kind: &&Self| kind.schema().tag.is_empty() || kind.schema().tag.eq_ignore_ascii_case(first);
         table.kinds().iter().find(is).copied()

@@ -1,6 +1,6 @@
-//! One schema of a level. `facts` are the types of the tables, `typed` the columns with the types of their values, `values` what a
-//! cell may hold beside numbers and words, `record` the cells of a row. `settings`, `bodies`, `blocks`, `zones` and `ties` hold the tables, their rows and the things that the rows become; `kinds` lists them.
-//! `written` makes the rows of a new level and the tables of the documentation.
+//! One schema of a level. `facts` are the types of the tables, `typed` the columns with the types of their values and the cells of a row, `values`
+//! what a cell may hold beside numbers and words. `settings`, `bodies`, `blocks` and `zones` hold the tables, their rows and the things that the
+//! rows become; `kinds` lists them. `written` makes the rows of a new level and the tables of the documentation.
 
 pub(super) mod blocks;
 pub(super) mod bodies;

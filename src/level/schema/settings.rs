@@ -3,11 +3,10 @@
 use super::facts::{Column, FileSchema, Holds, RowSchema};
 use super::typed::{Row as _, RowCells, RowReader, Word, by_word, number, one_of, rows, words};
 use super::values::Together;
-use crate::files::Dialect;
 use crate::level::numbers::{self, PixelScale};
 use crate::level::problem::{Problem, meant, quoted};
 use crate::level::types::{Awards, Landscape, Mark};
-use crate::words::tr;
+use crate::{files::Dialect, words::tr};
 
 pub static CONSTANTS: FileSchema = FileSchema {
     name: "constants.csv",
@@ -91,7 +90,7 @@ pub(in crate::level) fn settings(rows: Vec<RowCells>, reader: &mut RowReader, wa
     let metre = given.text("metre").and_then(|text| numbers::METRE.parse(&given.dialect.number(text)).ok());
     reader.scale = PixelScale { metre: metre.unwrap_or(PixelScale::USUAL.metre) };
     // In an unfinished level the usual number stands for a refused one.
-    let row: SettingsRow = given.read_or_usual(reader).unwrap_or_default();
+    let row: SettingsRow = given.read_cells(reader).0.unwrap_or_default();
     let (awards, marked) = awards(&row, &given, reader);
     LevelSettings { row, awards, marked, given }
 }

@@ -1,16 +1,13 @@
 //! Rows as plain structs that serde fills from the `csv` crate's records; the facts of a column stand beside its field.
-//!
 //! A row whose cells have found their columns, and the state that all readers of rows share.
-//!
 //! A thing of a level with its row.
 
 use super::facts::{Column, Holds, RowSchema};
 use crate::files::{Cell, Dialect};
-use crate::level::image::Images;
 use crate::level::numbers::{self, NumberRange, PixelScale};
 use crate::level::problem::{Problem, quoted};
 use crate::physics::{Material, Sides};
-use crate::words::tr;
+use crate::{level::image::Images, words::tr};
 use csv::StringRecord;
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, Deserializer, Error};
@@ -179,13 +176,8 @@ impl RowCells {
         row.filter(|_| whole)
     }
 
-    /// As [`RowCells::read`]; a column's usual text stands in for a refused cell.
-    pub fn read_or_usual<T: Row>(&self, reader: &mut RowReader) -> Option<T> {
-        self.read_cells(reader).0
-    }
-
-    /// The row, and whether it has all its cells from its author.
-    fn read_cells<T: Row>(&self, reader: &mut RowReader) -> (Option<T>, bool) {
+    /// The row, with a column's usual text for a refused cell, and whether it has all its cells from its author.
+    pub fn read_cells<T: Row>(&self, reader: &mut RowReader) -> (Option<T>, bool) {
         let mut whole = true;
         let cells: Vec<Option<String>> = T::COLUMNS.iter().map(|column| self.plain(column, reader, &mut whole)).collect();
         let Some(record) = cells.into_iter().collect::<Option<StringRecord>>() else { return (None, false) };

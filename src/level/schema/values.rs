@@ -1,9 +1,7 @@
 //! Values of cells that are more than a number or a word, as serde reads them: names, what a switch works, way points, ends of links.
 
 use crate::level::numbers::{self, PixelScale};
-use crate::level::types::Work;
-use crate::physics::DVec2;
-use crate::words::tr;
+use crate::{level::types::Work, physics::DVec2, words::tr};
 use serde::Deserialize;
 
 const MOST_WORKS: usize = 50;
@@ -81,12 +79,10 @@ impl TryFrom<String> for Works {
     }
 }
 
-/// An end of a row of links.csv.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(try_from = "String")]
 pub(in crate::level) enum LinkRowEnd {
     Ship,
-    /// By name.
     Object(String),
     /// Pixels in a row, m in a level.
     Place(DVec2),

@@ -1,8 +1,7 @@
 //! The schema as text: the rows of a new level with their comments, and the tables of docs/levels.md.
 
 use super::facts::{Column, RowSchema};
-use super::kinds::Table;
-use super::settings::SETTINGS;
+use super::{kinds::Table, settings::SETTINGS};
 use crate::words;
 
 /// The longest line of a comment, characters.
@@ -21,6 +20,8 @@ fn written(table: Table) -> Option<String> {
     let mut text = comment(file.help);
     for (rows, columns) in groups(table) {
         rows.iter().filter(|row| !row.tag.is_empty()).for_each(|row| text += &comment(&tagged_columns(row)));
+        // A place needs no help but its name.
+        let is_place = |column: &Column| matches!(column.name, "kind" | "x" | "y" | "width" | "height") && column.required;
         columns.iter().filter(|column| !is_place(column)).for_each(|column| text += &comment(&column.in_words()));
     }
     if let [only] = table.rows() {
@@ -28,11 +29,6 @@ fn written(table: Table) -> Option<String> {
         text += &(names.join(",") + "\n");
     }
     Some(text + file.sample)
-}
-
-/// Whether a column needs no help but its name.
-fn is_place(column: &Column) -> bool {
-    matches!(column.name, "kind" | "x" | "y" | "width" | "height") && column.required
 }
 
 /// Kinds of rows that share their columns, and these columns. For constants.csv the settings.

@@ -5,10 +5,9 @@ use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
 use super::typed::{Row as _, RowCells, RowReader, Word, X, Y, boolean, by_word, channel, number, one_of, rows, words};
 use crate::level::numbers::{self, corners};
 use crate::level::problem::{at_most, quoted};
-use crate::level::schema::typed::FromRow;
 use crate::level::types::{AirStream, Decoration, Fluid, GravityZone, Pod, Star, StarTouch, Text};
 use crate::physics::{Aabb, DVec2};
-use crate::words::tr;
+use crate::{level::schema::typed::FromRow, words::tr};
 
 pub static OBSTACLES: FileSchema =
     FileSchema { name: "obstacles.csv", help: "Death boxes: red that destroys the ship.", sample: "900,660,120,20\n" };
@@ -95,7 +94,6 @@ pub static PICTURE: RowSchema = RowSchema::new(&DECORATION, "Picture", Decoratio
     .fresh(&[("layer", "behind")])
     .counted(&[Count::if_any("decoration", "decorations", |level| level.decoration.len())]);
 
-/// Whether a picture covers moving bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::level) enum Layer {
     Behind,
