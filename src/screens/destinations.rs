@@ -24,10 +24,8 @@ use crate::files;
 use crate::game::body_title;
 use crate::level::{self, judge_name};
 use crate::physics::BodyId;
-use crate::session::Session;
 use crate::session::library::{Attempt, is_of_level, named};
-use crate::session::recordings::FlightSource;
-use crate::session::worker::Errand;
+use crate::session::{Session, recordings::FlightSource, worker::Errand};
 use crate::ui::Spectator;
 use crate::words::tr;
 use std::path::Path;
@@ -154,7 +152,6 @@ fn unread_board((subject, error): (String, String), session: &mut Session) -> Bo
     Box::new(LevelSelect::with_panel(Purpose::Leaderboard, heading, vec![error], session))
 }
 
-/// The target of a link.
 fn follow(link: PageLink, session: &mut Session, spectator: &mut dyn Spectator) -> Result<Box<dyn Screen>, String> {
     let (name, folder) = match link.target {
         LinkTarget::Lab(page) => {

@@ -11,8 +11,7 @@ use crate::classics::tile_run::{Command, InputError, Map};
 use crate::files::{self, CHART, CsvFile, CsvRow, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::game::{History, Inputs, Replay};
 use crate::instruments::reading::Wanted;
-use crate::lab::charts::Charts;
-use crate::lab::kept;
+use crate::lab::{charts::Charts, kept};
 use crate::level::{self, Landscape, Level};
 use crate::words::tr;
 use std::io;
@@ -217,7 +216,6 @@ fn read<T>(path: PathBuf, at_most: u64, parse: impl Fn(&str) -> Result<T, InputE
     parse(&text).map_err(|error| format!("{}:{error}", path.display()))
 }
 
-/// The text of one file of charts in a folder.
 fn text(folder: &Path, file: &str) -> Result<String, String> {
     read_text(&folder.join(file), CHART).map_err(|error| format!("{file}: {error}"))
 }
@@ -250,7 +248,6 @@ pub struct NewFile {
     pub stem: String,
     /// Its name from there on, with the full stop.
     pub ending: &'static str,
-    /// All of it.
     pub bytes: Vec<u8>,
     /// What it is, for messages: "the flight".
     pub what: &'static str,
@@ -322,7 +319,6 @@ impl Attempt {
 pub struct Flown {
     pub level: Arc<Level>,
     pub replay: Replay,
-    /// Any tick of it.
     pub history: History,
 }
 
@@ -331,7 +327,6 @@ pub struct Flown {
 pub struct Rival {
     /// Whose it is, in a word or two.
     pub name: String,
-    /// What was pressed.
     pub inputs: Arc<Inputs>,
 }
 
@@ -345,7 +340,6 @@ pub struct Experiment {
     pub choices: Vec<String>,
     /// The right choice, or a number with its unit; empty where neither is.
     pub right: String,
-    /// The quantities that are to be found.
     pub readings: Vec<Wanted>,
     pub title: String,
 }

@@ -32,7 +32,6 @@ impl Visit {
 /// Where a flight is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FlightSource {
-    /// It was just flown.
     Flown,
     /// In a file of the level.
     Level(PathBuf),
@@ -53,7 +52,6 @@ pub struct FlightCandidate {
     pub score: Option<i64>,
     /// How long it took, s, where that is known.
     pub time: Option<f64>,
-    /// Where it is.
     pub source: FlightSource,
 }
 
@@ -72,9 +70,7 @@ impl FlightCandidate {
 /// A flight of the level's own, which stands among the rows without a rank.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoardRival {
-    /// Its name.
     pub name: &'static str,
-    /// Points.
     pub score: i64,
     /// s, where its record says it.
     pub time: Option<f64>,

@@ -7,9 +7,7 @@ use crate::import;
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, Awards, Level};
 use crate::pack::Installed;
-use crate::session::folder_watch::Stamp;
-use crate::session::library::Refusal;
-use crate::session::recordings;
+use crate::session::{folder_watch::Stamp, library::Refusal, recordings};
 use crate::view::pictures;
 use crate::words::{self, Language};
 use std::collections::VecDeque;
@@ -28,14 +26,7 @@ pub enum Errand {
     /// The files of the level in a folder, to be edited.
     Editor(PathBuf, PathBuf),
     /// An archive is to be installed.
-    Install {
-        /// The archive.
-        archive: PathBuf,
-        /// The folder of levels.
-        levels: PathBuf,
-        /// The project's.
-        root: PathBuf,
-    },
+    Install { archive: PathBuf, levels: PathBuf, root: PathBuf },
     /// The names of the levels in a folder.
     List(PathBuf),
     /// The first of these levels that loads; and of the level in the last folder, if any, its flight for gold.
@@ -45,7 +36,6 @@ pub enum Errand {
 /// What a card shows of a level.
 #[derive(Clone, Debug)]
 pub struct Card {
-    /// The level's folder.
     pub folder: PathBuf,
     /// What that looked like before it was read: what is written meanwhile is seen at the next look.
     pub stamp: Stamp,
@@ -60,13 +50,9 @@ pub struct Card {
 pub enum Brought {
     /// Of [`Errand::Level`], with its folder.
     Level(PathBuf, Result<Arc<Level>, Refusal>),
-    /// Of [`Errand::Card`].
     Card(Box<Card>),
-    /// Of [`Errand::Editor`].
     Editor(Result<Box<Opened>, String>),
-    /// Of [`Errand::Install`].
     Installed(Result<(Installed, Vec<String>), Refusal>),
-    /// Of [`Errand::List`].
     List(Vec<String>),
     /// Of [`Errand::First`]: name and title, and the flight.
     First(Option<(String, String)>, Option<Box<Reel>>),

@@ -22,9 +22,7 @@ const MOST: usize = 400;
 /// What came of a frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reply {
-    /// That text.
     Text(String),
-    /// Nothing is wanted any more.
     Cancel,
 }
 
@@ -152,7 +150,6 @@ const NOBODY: &str = "Guest is the player who has no name yet: choose another on
 pub enum NameEntry {
     /// A name that follows the rules was submitted.
     Name(Name),
-    /// The way back was chosen.
     Back,
 }
 

@@ -30,7 +30,6 @@ pub struct Touch {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FieldEvent {
     Changed,
-    /// Enter was pressed.
     Entered,
 }
 

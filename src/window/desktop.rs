@@ -1,8 +1,7 @@
 //! What the window's loop asks of a desktop; a browser's page answers the same in `page`.
 
 use crate::screens::Stack;
-use crate::ui::Spectator;
-use crate::ui::input::Input;
+use crate::ui::{Spectator, input::Input};
 use macroquad::input::get_dropped_files;
 use std::path::PathBuf;
 use std::time::{Duration, SystemTime};

@@ -15,20 +15,17 @@ use desktop as host;
 #[cfg(browser)]
 use page as host;
 
-use crate::draw::Canvas;
 use crate::draw::layout::{DESIGN, Frame, Vec2};
-use crate::draw::pen::WindowPen;
+use crate::draw::{Canvas, pen::WindowPen};
 use crate::level::Level;
 use crate::screens::{Destination, Places, Stack};
-use crate::session::library::Attempt;
-use crate::session::worker::Worker;
+use crate::session::{library::Attempt, worker::Worker};
 use crate::settings::Keys;
 use crate::sound::Speaker;
 use crate::ui::input::Input;
 use crate::ui::pace::{self, Picture};
 use crate::view::{art, theme};
-use crate::window::keyboard::WindowKeys;
-use crate::window::pad::Pads;
+use crate::window::{keyboard::WindowKeys, pad::Pads};
 use crate::words::{self, Language};
 use host::Instant;
 use macroquad::input::{

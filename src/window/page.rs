@@ -2,8 +2,7 @@
 
 use crate::screens::{Destination, Flight, Request, Stack};
 use crate::settings::{Key, Settings};
-use crate::ui::Spectator;
-use crate::ui::input::Input;
+use crate::ui::{Spectator, input::Input};
 use crate::web;
 use std::path::PathBuf;
 use std::time::Duration;

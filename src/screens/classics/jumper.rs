@@ -9,8 +9,7 @@ use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::session::{Gain, Session, recordings::Visit};
 use crate::settings::{Key, Keys};
 use crate::ui::input::{Input, KeyLatch};
-use crate::ui::pace::Motion;
-use crate::ui::{Spectator, Ui};
+use crate::ui::{Spectator, Ui, pace::Motion};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -35,17 +34,14 @@ const HEAD: f32 = 96.0;
 pub struct Jumper {
     /// The climb; before the first one a tower to look at.
     pub scene: JumperScene,
-    /// The panel above the climb, while it is open.
     panel: Option<ClimbPanel>,
     clock: Clock,
     latch: KeyLatch,
     /// How long the screen has been there, s: a tower's seed, so that each sitting has its own towers.
     shown_for: f64,
-    /// What was heard in the last frame.
     noises: Vec<Noise>,
 }
 
-/// Buttons above a climb that stands still.
 #[derive(Debug)]
 struct ClimbPanel {
     heading: &'static str,

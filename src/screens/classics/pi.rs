@@ -206,7 +206,6 @@ fn side(mass: f64) -> f32 {
     (mass + 10.0).log10().abs() as f32
 }
 
-/// 10 to that power, as people write it.
 fn power(exponent: u32) -> String {
     match exponent {
         0..=4 => 10_u64.pow(exponent).to_string(),

@@ -7,9 +7,8 @@ use crate::game::Clock;
 use crate::number::fixed;
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::settings::{Key, Keys};
-use crate::ui::Ui;
 use crate::ui::input::{Input, KeyLatch};
-use crate::ui::pace::Motion;
+use crate::ui::{Ui, pace::Motion};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 use std::collections::VecDeque;
@@ -37,7 +36,6 @@ pub struct TileRun {
     last_command: Option<Command>,
     clock: Clock,
     latch: KeyLatch,
-    /// What was heard in the last frame of the screen.
     noises: Vec<Noise>,
 }
 
@@ -59,7 +57,6 @@ impl TileRun {
         }
     }
 
-    /// Lets the run go on by a frame of the screen.
     fn go_on(&mut self, input: &Input) {
         self.latch.frame(input);
         if self.paused {

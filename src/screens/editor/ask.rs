@@ -62,7 +62,6 @@ impl Ask {
         }
     }
 
-    /// Shows the panel above all else; the answer.
     fn show(&self, ui: &mut Ui<'_>) -> Option<&'static str> {
         let (answers, height) = (self.answers(), ui.frame().text_height(TEXT));
         let row = answers.len() as f32 * (ROW_BUTTON.x + GAP) - GAP;

@@ -50,7 +50,6 @@ impl Editor {
         self.draw_one_way(canvas, area, cell("one_way"));
     }
 
-    /// The side that is solid.
     fn draw_one_way(&self, canvas: &Canvas, area: Area, side: &str) {
         let (a, b) = (area.min, area.max());
         let (from, to) = match side.to_ascii_lowercase().as_str() {
@@ -63,7 +62,6 @@ impl Editor {
         canvas.line(from, to, 3.0, theme::accent());
     }
 
-    /// Whether what is selected has a colour of its own.
     fn has_colour(&self) -> bool {
         ["r", "g", "b"].iter().all(|name| self.panel.fields.iter().any(|field| field.column.name == *name))
     }

@@ -66,7 +66,6 @@ impl Flight {
         over.then(|| self.score(self.result(), self.flown(self.run.history.clone()), self.run.remark.clone()))
     }
 
-    /// Takes up the goals of the last tick.
     pub(super) fn slow_down_for_goals(&mut self) {
         let met = self.run.game.events().iter().any(|event| matches!(event, GameEvent::ObjectiveMet(_)));
         if met && (self.run.slow_until == 0 || self.run.game.ticks() > self.run.slow_until + BETWEEN_SLOW) {

@@ -20,18 +20,15 @@ use crate::draw::{Canvas, layout::Frame};
 use crate::game::{Game, GameError, History, Medals, Outcome};
 use crate::physics::{BodyId, DVec2};
 use crate::screens::flight::instruments::{Instruments, Stage};
-use crate::screens::flight::observer::Observer;
-use crate::screens::flight::race::Race;
 use crate::screens::screen::{AboveGame, Destination, Effect, GameScene, Request, Screen};
+use crate::screens::{flight::observer::Observer, flight::race::Race};
 use crate::session::Session;
 use crate::session::library::{Attempt, is_of_level};
 use crate::session::worker::{Brought, Ticket};
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::ui::{Spectator, Ui, input::Input, pace::Motion};
-use crate::view::Overlays;
-use crate::view::camera::Viewport;
-use crate::view::focus::Focus;
 use crate::view::hud::{Aside, HudShown};
+use crate::view::{Overlays, camera::Viewport, focus::Focus};
 use ending::{END_PAUSE, Run};
 use observer::Observation;
 use open::Open;
@@ -256,7 +253,6 @@ impl Flight {
         }
     }
 
-    /// A frame of an attempt without a pause.
     fn go_on(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         if self.open.test && (input.pressed(Key::F5) || input.pressed(Key::Escape) || input.acts(Action::Pause)) {
             return Some(Request::Pop);
@@ -319,14 +315,12 @@ impl Flight {
         Input { frame: whole, ..rest }
     }
 
-    /// Reads the moment on the screen, at the end of its frame.
     fn read_instruments(&mut self, frame: &Frame) {
         let mut instruments = std::mem::take(&mut self.seen.instruments);
         instruments.read(&self.stage(frame));
         self.seen.instruments = instruments;
     }
 
-    /// Fulfils the wishes of the instruments.
     fn serve_instruments(&mut self, spectator: &mut dyn Spectator) -> Option<Request> {
         let wish = self.seen.instruments.vary_mut().take_wish();
         if let Some(request) = wish.and_then(|wish| self.fulfil(wish, spectator)) {

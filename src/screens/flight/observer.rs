@@ -34,10 +34,8 @@ pub(super) struct Observation {
 pub struct Observer {
     frozen: bool,
     paces: &'static [f64],
-    /// The index of the present pace.
     pace: usize,
     focus: Focus,
-    /// Whether the whole level is shown.
     map: bool,
     /// The keys in its words.
     keys: Bindings,

@@ -15,7 +15,6 @@ use std::sync::Arc;
 pub(super) struct Open {
     /// The label of the pause panel's last button, while the panel is open.
     pub pause: Option<&'static str>,
-    /// The settings, while they are open above it.
     pub settings: Option<Box<SettingsPanel>>,
     /// The problems of their file.
     pub settings_problems: Vec<String>,

@@ -23,7 +23,6 @@ const EDIT: &str = "Edit Level";
 const TOP: f32 = 152.0;
 
 impl Flight {
-    /// Switches the overlays by their keys.
     pub(super) fn switch_overlays(&mut self, input: &Input) {
         self.seen.details ^= input.acts(Action::Details);
         self.seen.hitboxes ^= input.acts(Action::Hitboxes);

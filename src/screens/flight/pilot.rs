@@ -77,12 +77,10 @@ impl Controller {
     }
 }
 
-/// The keys of a frame that went down.
 pub(super) fn pressed(input: &Input) -> Controls {
     controls(|action| input.acts(action))
 }
 
-/// The keys of a frame that are down.
 pub(super) fn held(input: &Input) -> Controls {
     controls(|action| input.keeps(action))
 }
@@ -91,7 +89,6 @@ fn controls(is: impl Fn(Action) -> bool) -> Controls {
     Controls { thrust: is(Action::Thrust), reverse: is(Action::Reverse), left: is(Action::Left), right: is(Action::Right) }
 }
 
-/// Whether a key went down that steers.
 pub(super) fn steers(input: &Input) -> bool {
     pressed(input) != Controls::default()
 }

@@ -37,7 +37,6 @@ pub struct Split {
 pub enum Gap {
     /// The ship's delay, s; negative where the ship was earlier.
     Seconds(f64),
-    /// The ghost never met it.
     Never,
     /// The ghost's flight is not known so far yet.
     Unknown,

@@ -8,9 +8,8 @@ use crate::draw::layout::{Area, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Clock, Outcome, Reel};
 use crate::number::clock;
-use crate::screens::flight::ahead::Ahead;
-use crate::screens::flight::observer::Observer;
 use crate::screens::screen::{GameScene, Request, Screen};
+use crate::screens::{flight::ahead::Ahead, flight::observer::Observer};
 use crate::session::library::Attempt;
 use crate::settings::{Action, Key};
 use crate::ui::{Spectator, Ui, WidgetKind, input::Input};
@@ -192,7 +191,6 @@ impl Flight {
         }
     }
 
-    /// The pointer on the time line.
     fn drag(&mut self, ui: &mut Ui<'_>, line: Area) {
         let (input, touch) = (ui.input(), ui.touch(TIME_LINE, line.inset(-NEAR), WidgetKind::Tool));
         let Controller::Reel(viewer) = &mut self.pilot.source else { return };

@@ -57,7 +57,6 @@ impl Flight {
         above + sign_size("", frame).y
     }
 
-    /// The place of the words on a test flight.
     fn test_sign(&self, frame: &Frame) -> Option<Area> {
         let at = Vec2::new(frame.size.x / 2.0, self.seen.instruments.room(frame).size.y - ABOVE_FUEL);
         self.open.test.then(|| Area::around(at, text_room(tr(TEST), frame.text_height(TEXT))))

@@ -27,7 +27,6 @@ pub(super) struct WhatIf {
     /// The controls up to the moment that is shown, and that moment: a run that ends sooner does not lose them.
     tape: Tape,
     moment: u64,
-    /// What is being flown again.
     again: Option<Box<Again>>,
 }
 
@@ -201,7 +200,6 @@ impl Flight {
         spectator.jumped(&self.run.game);
     }
 
-    /// The run before goes along.
     pub(super) fn after_tick_of_what_if(&mut self, controls: Controls) {
         if let Some(what_if) = &mut self.run.what_if {
             what_if.before.after_tick(&self.run.game, controls);
@@ -277,7 +275,6 @@ impl Flight {
         })
     }
 
-    /// What is varied, in a sign beside the timer.
     fn what_if_words(&self) -> Option<String> {
         let variation = self.variation()?;
         let change = |(parameter, value): (crate::level::Parameter, f64)| {

@@ -39,7 +39,6 @@ pub(super) fn draw(canvas: &Canvas, area: Area, (entry, edits): (&LevelEntry, bo
         }
         Some(Ok((title, painting))) => {
             if let Some(Image::Painted(painted)) = painting {
-                // As large as it fits.
                 let pixels = Vec2::new(painted.width as f32, painted.height() as f32);
                 let shown = Area::around(picture.centre(), pixels * (picture.size / pixels).min_element());
                 canvas.image(&Image::Painted(painted.clone()), shown, Colour::WHITE);
@@ -80,7 +79,7 @@ pub(super) fn draw(canvas: &Canvas, area: Area, (entry, edits): (&LevelEntry, bo
     }
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct LevelEntry {
     pub name: String,
     pub world: Option<Landscape>,
@@ -92,30 +91,13 @@ pub struct LevelEntry {
     pub title: Option<String>,
     /// The player's best time without help, s; `None` where there is none.
     pub best: Option<f64>,
-    /// What its medals ask for.
     pub awards: Awards,
-    /// The medals that it has brought the player.
     pub medals: Medals,
     /// What its own flights prove, where it is not one of the game's.
     pub proven: Option<Vec<&'static str>>,
 }
 
 impl LevelEntry {
-    /// A level of which nothing but its name and world is known.
-    pub fn new(name: String, world: Option<Landscape>) -> Self {
-        Self {
-            name,
-            world,
-            level: None,
-            stamp: Stamp::default(),
-            title: None,
-            best: None,
-            awards: Awards::default(),
-            medals: Medals::default(),
-            proven: None,
-        }
-    }
-
     /// Whether its name or title has these letters in it, which are small.
     pub(super) fn has(&self, letters: &str) -> bool {
         let has = |text: &str| text.to_lowercase().contains(letters);

@@ -53,7 +53,6 @@ enum Credit {
     Heading(&'static str),
     Words(&'static str),
     Licence(String),
-    /// A part, and its licence.
     Part(&'static str, &'static str),
 }
 

@@ -7,9 +7,8 @@ mod windows;
 mod x11;
 
 use crate::settings::{Key, Keys, layout, plain_keys};
-use crate::ui::input::Input;
 use crate::ui::keyboard::{KeyDown, Keyboard};
-use crate::ui::pace;
+use crate::ui::{input::Input, pace};
 use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
 use macroquad::input::{KeyCode, get_char_pressed};
 use macroquad::miniquad::{EventHandler, KeyMods};

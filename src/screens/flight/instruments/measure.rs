@@ -132,7 +132,6 @@ impl Measures {
         (self.trail, self.figures) = (Trail::default(), self.figures.flown_again());
     }
 
-    /// The flight was left at that tick and goes on otherwise.
     pub fn back_to(&mut self, tick: u64) {
         self.trail.back_to(tick);
         self.figures.back_to(tick);

@@ -19,7 +19,6 @@ use crate::settings::Action;
 use crate::ui::{Ui, input::Input};
 use crate::view::{focus::Focus, theme};
 use crate::words::tr;
-pub use figures::Table;
 pub use measure::Measures;
 pub use plot::{Plot, PlotPlaces};
 use std::path::PathBuf;

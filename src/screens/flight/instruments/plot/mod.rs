@@ -10,10 +10,8 @@ use super::Stage;
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{History, body_title};
 use crate::instruments::chart::{Chart, ChartMember, TimeWindow};
-use crate::instruments::curve::Curve;
-use crate::instruments::fit::FitLaw;
 use crate::instruments::quantity::{Quantity, VectorPart};
-use crate::instruments::track::BodyTrack;
+use crate::instruments::{curve::Curve, fit::FitLaw, track::BodyTrack};
 use crate::physics::{BodyId, DVec2};
 use crate::screens::flight::ahead::Ahead;
 use crate::session::library::NewFile;
@@ -173,7 +171,6 @@ impl Plot {
         });
     }
 
-    /// The flight was left at that tick and goes on otherwise.
     pub fn back_to(&mut self, history: &History, tick: u64) {
         self.objects.iter_mut().for_each(|object| object.back_to(history, tick));
         self.span = self.span.filter(|(_, to)| *to <= tick);
