@@ -60,7 +60,7 @@ impl Keyboard {
         }
         match key.typed {
             Some(sign) if types(key.held) && !key.silent => self.compose(sign),
-            None if key.place.is_some_and(|place| !is_modifier(place)) => self.compose.clear(),
+            None if key.place.is_some_and(|place| !matches!(place, Key::Shift | Key::Control | Key::Alt)) => self.compose.clear(),
             _ => {}
         }
     }
@@ -144,10 +144,6 @@ pub fn place_of_code(code: &str) -> Option<Key> {
     let numbered = |start: &str, name: &str| Some(format!("{name}{}", named.strip_prefix(start)?));
     let name = numbered("Digit", "Key").or_else(|| numbered("Numpad", "Kp")).unwrap_or_else(|| named.to_owned());
     Key::ALL.iter().copied().find(|key| key.to_string() == name)
-}
-
-fn is_modifier(key: Key) -> bool {
-    matches!(key, Key::Shift | Key::Control | Key::Alt)
 }
 
 /// Whether characters are typed with these modifiers: Ctrl with Alt is AltGr.

@@ -36,15 +36,9 @@ pub struct Prompt {
 }
 
 impl Prompt {
-    /// A panel with that heading, whose field begins with that text.
-    pub fn new(heading: impl Into<String>, text: &str) -> Self {
-        Self { heading: heading.into(), field: TextField::new(text, MOST), note: None, error: None }
-    }
-
-    /// The same with a line below its field.
-    #[must_use]
-    pub fn with_note(self, note: String) -> Self {
-        Self { note: Some(note), ..self }
+    /// A panel with that heading, whose field begins with that text, and with a line below it, if any.
+    pub fn new(heading: String, text: &str, note: Option<String>) -> Self {
+        Self { heading, field: TextField::new(text, MOST), note, error: None }
     }
 
     /// Says why the text will not do.
@@ -192,11 +186,6 @@ impl NameField {
             return None;
         }
         judge(&self.field.text()).map(NameEntry::Name).map_err(|error| self.error = Some(error)).ok()
-    }
-
-    /// Shows what went wrong with the name.
-    pub fn refuse(&mut self, error: String) {
-        self.error = Some(error);
     }
 }
 

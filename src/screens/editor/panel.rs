@@ -92,7 +92,7 @@ impl CellPanel {
         };
         let words = column.choices();
         match self.typing.as_mut().filter(|typing| typing.name == column.name) {
-            Some(typing) if words.is_empty() => typing.field.go_to_end(),
+            Some(typing) if words.is_empty() => typing.field.go(usize::MAX, false),
             _ => self.focus(column.name, gesture),
         }
         (!words.is_empty()).then(|| self.write(column, next(&words, text.as_deref(), !input.right_click), gesture))

@@ -52,8 +52,8 @@ impl LevelSelect {
         session.last_level = Some(name.to_owned());
         let free = scaffold::free_name(session.library.levels(), name, "copy");
         let mut screen = Self::open(Purpose::Edit, session);
-        let prompt = Prompt::new(tr!("What is your copy of {name} called?", name), &free)
-            .with_note(tr!("{name} comes with the game and stays as it is.", name));
+        let note = tr!("{name} comes with the game and stays as it is.", name);
+        let prompt = Prompt::new(tr!("What is your copy of {name} called?", name), &free, Some(note));
         screen.prompt = Some(Box::new((prompt, Asked::OwnCopy(folder))));
         screen
     }
@@ -124,7 +124,7 @@ impl LevelSelect {
     }
 
     pub(super) fn ask(&mut self, heading: String, text: &str, asked: Asked) {
-        self.prompt = Some(Box::new((Prompt::new(heading, text), asked)));
+        self.prompt = Some(Box::new((Prompt::new(heading, text, None), asked)));
     }
 
     /// The frame above the author's second row of buttons.

@@ -185,7 +185,7 @@ fn row(ui: &mut Ui<'_>, buttons: &[PlotButton], areas: Vec<Area>, top: f32) -> O
             pressed = Some(*action);
         }
         if let Some(tip) = action.tip() {
-            ui.tip_above(area, tip, top);
+            ui.tip_above(area, tip, Some(top));
         }
     }
     pressed
