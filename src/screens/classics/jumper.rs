@@ -98,7 +98,7 @@ impl Jumper {
         let before: Vec<_> = self.scene.players().map(|(_, body)| (body.on_ground, body.velocity.z)).collect();
         self.scene.tick(held(self.latch.take(), self.is_of_two()));
         for ((player, body), (stood, rising)) in self.scene.players().zip(before) {
-            if player.has_jumped() {
+            if player.jumped {
                 self.noises.push(Noise::Jump);
             } else if body.on_ground && !stood {
                 self.noises.push(Noise::Landing((-rising / HARD).clamp(0.0, 1.0)));

@@ -33,17 +33,11 @@ const BETWEEN_SLOW: u64 = 240;
 #[derive(Debug)]
 pub(super) struct Lost {
     result: RunResult,
-    flown: Option<Rc<Flown>>,
+    pub flown: Option<Rc<Flown>>,
     /// What it brought the player, in words.
     remark: Option<String>,
     /// Age of its notice, s.
     since: f64,
-}
-
-impl Lost {
-    pub fn into_flown(self) -> Option<Rc<Flown>> {
-        self.flown
-    }
 }
 
 impl Flight {

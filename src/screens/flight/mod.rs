@@ -56,7 +56,10 @@ impl Screen for Flight {
             _ if self.open.pause.is_some() => None,
             _ => self.go_on(&rest, ui.spectator),
         };
-        self.read_instruments(&ui.frame());
+        // The moment on the screen, at the end of its frame.
+        let mut instruments = std::mem::take(&mut self.seen.instruments);
+        instruments.read(&self.stage(&ui.frame()));
+        self.seen.instruments = instruments;
         if !self.is_watched() {
             self.draw_signs(ui.canvas());
             self.draw_introduction(ui.canvas());
@@ -102,13 +105,13 @@ impl Screen for Flight {
     fn carry_out(&mut self, effect: Effect, session: &mut Session, spectator: &mut dyn Spectator) -> Option<Request> {
         match effect {
             Effect::Restart => self.restart_as_on_disk(session, spectator),
-            Effect::Export(file) => self.seen.instruments.report_export(file.write(&session.places.root.join("exports"))),
+            Effect::Export(file) => self.seen.instruments.plot.report_export(file.write(&session.places.root.join("exports"))),
             Effect::HandIn => self.hand_in(session),
             Effect::Predict => self.open.sheet.iter_mut().for_each(|sheet| sheet.fix_prediction(session.now)),
             Effect::SaveVaried(variation, name) => {
                 let saved = self.save_varied(&variation, &name, session);
                 let bad = saved.is_err();
-                self.seen.instruments.vary_mut().set_message(saved.unwrap_or_else(|reason| reason), bad);
+                self.seen.instruments.vary.set_message(saved.unwrap_or_else(|reason| reason), bad);
             }
             _ => {}
         }
@@ -178,7 +181,7 @@ impl Screen for Flight {
         let focus = if self.is_looked_at() { focus } else { focus.on_nobody() };
         let (details, hitboxes, watched, map) = (self.seen.details, self.seen.hitboxes, self.is_watched(), self.shows_all());
         let picture = self.seen.picture;
-        let still = self.open.pause.is_some() || self.seen.instruments.holds_view();
+        let still = self.open.pause.is_some() || self.seen.instruments.vary.holds_view();
         Some(GameScene {
             game: &self.run.game,
             alpha: self.alpha(),
@@ -216,7 +219,7 @@ impl Flight {
     pub(super) fn show_as(&mut self, body: Option<BodyId>, details: Option<bool>) {
         self.seen.details = details.unwrap_or(self.seen.details || body.is_some());
         if let Some(body) = body {
-            self.seen.observer.look_at(Focus::fitted_on(body));
+            self.seen.observer.focus = Focus::fitted_on(body);
         }
     }
 
@@ -231,7 +234,7 @@ impl Flight {
         flight.run.race = race;
         if !flight.run.game.level().ship_plays() {
             flight.seen.details = true;
-            flight.seen.observer.look_at(Focus::fitted_on(first_mover(&flight.run.game)));
+            flight.seen.observer.focus = Focus::fitted_on(first_mover(&flight.run.game));
             flight.wait_for_start();
         }
         Ok(flight)
@@ -315,24 +318,18 @@ impl Flight {
         Input { frame: whole, ..rest }
     }
 
-    fn read_instruments(&mut self, frame: &Frame) {
-        let mut instruments = std::mem::take(&mut self.seen.instruments);
-        instruments.read(&self.stage(frame));
-        self.seen.instruments = instruments;
-    }
-
     fn serve_instruments(&mut self, spectator: &mut dyn Spectator) -> Option<Request> {
-        let wish = self.seen.instruments.vary_mut().take_wish();
+        let wish = self.seen.instruments.vary.wish.take();
         if let Some(request) = wish.and_then(|wish| self.fulfil(wish, spectator)) {
             return Some(request);
         }
-        if let Some(tick) = self.seen.instruments.take_seek() {
+        if let Some(tick) = self.seen.instruments.plot.seek.take() {
             self.seek(tick, spectator);
         }
-        self.seen.instruments.take_export().map(|file| Request::Do(Effect::Export(file)))
+        self.seen.instruments.plot.export.take().map(|file| Request::Do(Effect::Export(file)))
     }
 
-    pub(super) fn attempt(&self) -> &Attempt {
+    pub fn attempt(&self) -> &Attempt {
         &self.run.attempt
     }
 

@@ -32,10 +32,10 @@ pub(super) struct Observation {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer {
-    frozen: bool,
+    pub(super) frozen: bool,
     paces: &'static [f64],
     pace: usize,
-    focus: Focus,
+    pub(super) focus: Focus,
     map: bool,
     /// The keys in its words.
     keys: Bindings,
@@ -59,7 +59,7 @@ impl Observer {
         self.keys = input.settings.keys;
         self.zoom(input);
         if input.acts(Action::Freeze) {
-            self.freeze_or_go_on();
+            self.frozen = !self.frozen;
         }
         if input.acts(Action::Slower) {
             self.slow_down();
@@ -97,10 +97,6 @@ impl Observer {
         }
     }
 
-    pub(super) const fn freeze_or_go_on(&mut self) {
-        self.frozen = !self.frozen;
-    }
-
     pub(super) const fn slow_down(&mut self) {
         self.pace = self.pace.saturating_sub(1);
     }
@@ -128,10 +124,6 @@ impl Observer {
     /// How fast it goes, 0 while it stands still.
     pub fn speed(&self) -> f64 {
         if self.frozen { 0.0 } else { self.pace() }
-    }
-
-    pub const fn look_at(&mut self, focus: Focus) {
-        self.focus = focus;
     }
 
     pub const fn shows_map(&self) -> bool {

@@ -336,7 +336,7 @@ impl Flight {
 
     /// Takes the attempt that was lost in place of the one that has not begun yet.
     fn bring_back_lost(&mut self) {
-        let Some(flown) = self.run.lost.take_if(|_| self.run.game.is_idle()).and_then(|lost| lost.into_flown()) else { return };
+        let Some(flown) = self.run.lost.take_if(|_| self.run.game.is_idle()).and_then(|lost| lost.flown) else { return };
         if Arc::ptr_eq(&flown.level, &self.run.attempt.level) {
             self.run.history = flown.history.clone();
             self.run.game = self.run.history.at(u64::MAX);

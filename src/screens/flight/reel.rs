@@ -140,7 +140,7 @@ impl Flight {
     }
 
     fn play_or_pause(&mut self, spectator: &mut dyn Spectator) {
-        self.seen.observer.freeze_or_go_on();
+        self.seen.observer.frozen ^= true;
         self.pilot.clock = Clock::new(self.run.game.tick_rate());
         if !self.seen.observer.frozen() && self.is_at_end() {
             self.show_moment(0, spectator);

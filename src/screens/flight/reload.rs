@@ -144,7 +144,7 @@ impl Flight {
         self.run = Run { lost, ..fresh.run };
         self.wait_for_start();
         if let Some(Err(words)) = varied.map(|varied| self.begin_varied(varied, same)) {
-            self.seen.instruments.vary_mut().set_message(words, true);
+            self.seen.instruments.vary.set_message(words, true);
         }
         Ok(())
     }

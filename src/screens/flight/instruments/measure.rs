@@ -29,9 +29,9 @@ const TIGHT: f32 = 0.8;
 #[derive(Clone, Debug, Default)]
 pub struct Measures {
     pub(super) focus: Focus,
-    pub(super) trail: Trail,
+    pub trail: Trail,
     pub(super) scales: Scales,
-    pub(super) ruler: Ruler,
+    pub ruler: Ruler,
     pub(super) figures: Figures,
     pub(super) used: [bool; Tool::ALL.len()],
     pub(super) panels: Vec<(Tool, Area)>,
@@ -139,14 +139,6 @@ impl Measures {
 
     pub fn areas(&self) -> impl Iterator<Item = Area> {
         self.panels.iter().map(|(_, area)| *area)
-    }
-
-    pub const fn trail(&self) -> &Trail {
-        &self.trail
-    }
-
-    pub const fn ruler(&self) -> &Ruler {
-        &self.ruler
     }
 
     pub const fn table(&self) -> &Table {

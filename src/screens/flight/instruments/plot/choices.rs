@@ -131,15 +131,11 @@ impl Plot {
     }
 
     /// The places of the area: between the two marks, or from the start to the moment on the screen.
-    pub(super) fn stretch(&self, track: &crate::instruments::track::BodyTrack) -> (usize, usize) {
+    pub(super) fn stretch(&self, track: &BodyTrack) -> (usize, usize) {
         match self.span {
             Some((from, to)) => (track.place(from), track.place(to)),
             None => (0, track.place(self.now)),
         }
-    }
-
-    pub const fn across(&self) -> Quantity {
-        self.across
     }
 }
 

@@ -75,8 +75,8 @@ pub struct Plot {
     large: bool,
     message: Option<(String, bool)>,
     waiting: Option<Format>,
-    export: Option<NewFile>,
-    seek: Option<u64>,
+    pub export: Option<NewFile>,
+    pub seek: Option<u64>,
     now: u64,
     ahead: Ahead,
     /// In the last pass.
@@ -154,14 +154,6 @@ impl Plot {
 
     pub fn area(&self, frame: &Frame) -> Area {
         PlotPlaces::new(frame, self.large).panel
-    }
-
-    pub fn take_seek(&mut self) -> Option<u64> {
-        self.seek.take()
-    }
-
-    pub fn take_export(&mut self) -> Option<NewFile> {
-        self.export.take()
     }
 
     pub fn report_export(&mut self, outcome: Result<PathBuf, String>) {
