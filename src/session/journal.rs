@@ -161,18 +161,16 @@ impl Journal {
     /// Why it cannot be; it still waits then.
     pub fn close(&mut self) -> Result<(), ScoresError> {
         // A list that cannot be written holds up no other.
-        let deeds = if self.deeds.is_empty() { Ok(()) } else { self.record_deeds() };
+        let deeds =
+            if self.deeds.is_empty() { Ok(()) } else { self.scores.record(&self.deeds).map(|players| self.players = players) };
+        if deeds.is_ok() {
+            self.deeds.clear();
+        }
         let attempts = self.scores.append(&self.attempts);
         if attempts.is_ok() {
             self.attempts.clear();
         }
         deeds.and(attempts)
-    }
-
-    fn record_deeds(&mut self) -> Result<(), ScoresError> {
-        self.players = self.scores.record(&self.deeds)?;
-        self.deeds.clear();
-        Ok(())
     }
 
     pub fn is_written(&self) -> bool {

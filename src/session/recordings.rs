@@ -170,23 +170,10 @@ pub fn read(visit: &Visit, source: &FlightSource, scores: &Scores) -> Result<Rep
             Replay::parse(&named, &text).map_err(|problems| problems.0.first().cloned().unwrap_or_default())?
         }
         FlightSource::Code(code) => Replay::from_code(code)?,
-        FlightSource::Row(file) => scores.flight(&visit.level, file).map_err(|problems| first_line(&problems))?,
+        FlightSource::Row(file) => {
+            scores.flight(&visit.level, file).map_err(|problems| problems.lines().next().unwrap_or_default().to_owned())?
+        }
     })
-}
-
-fn first_line(text: &str) -> String {
-    text.lines().next().unwrap_or_default().to_owned()
-}
-
-/// Writes a record into a folder, under a name of its own; the answer is where. What is there already with these very bytes will do.
-///
-/// # Errors
-/// Whatever the system refuses, with the place.
-pub fn keep(folder: &Path, level: &str, whose: &str, replay: &Replay) -> Result<PathBuf, String> {
-    let whose: String = whose.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
-    let stem = format!("{level}-{whose}-{}", replay.score);
-    NewFile { stem, ending: ENDING, bytes: replay.to_string().into_bytes(), what: tr("the flight"), same_up_to: INPUTS }
-        .write(folder)
 }
 
 impl Session {
@@ -238,7 +225,11 @@ impl Session {
     /// Keeps a flight as a file, and says where.
     pub fn keep_flight(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
         let replay = self.named_record(visit, candidate)?;
-        let path = keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
+        let whose: String = candidate.name.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+        let stem = format!("{}-{whose}-{}", visit.level, replay.score);
+        let bytes = replay.to_string().into_bytes();
+        let file = NewFile { stem, ending: ENDING, bytes, what: tr("the flight"), same_up_to: INPUTS };
+        let path = file.write(&self.places.root.join("flights"))?;
         Ok(tr!("Kept as {path}", path = path.display()))
     }
 

@@ -90,11 +90,6 @@ impl Errand {
             }
         }
     }
-
-    /// Whether a player waits for it.
-    const fn is_urgent(&self) -> bool {
-        matches!(self, Self::Level(..) | Self::Editor(..) | Self::Install { .. })
-    }
 }
 
 /// By which an errand is known.
@@ -179,7 +174,8 @@ impl Worker {
     /// Asks for something; what a player waits for goes first.
     pub fn ask(&mut self, errand: Errand) -> Ticket {
         self.last += 1;
-        let (urgent, next) = (errand.is_urgent(), (self.last, errand));
+        let urgent = matches!(errand, Errand::Level(..) | Errand::Editor(..) | Errand::Install { .. });
+        let next = (self.last, errand);
         let put =
             |errands: &mut VecDeque<(Ticket, Errand)>| if urgent { errands.push_front(next) } else { errands.push_back(next) };
         match &mut self.at {

@@ -175,7 +175,7 @@ fn keys_of(key: &KeyDown) -> Keys {
 }
 
 /// Marks with what they type before a space, as in X11's tables, and twice: `'` stands on the dead key of us-intl.
-const MARKS: [(char, char, char); 16] = [
+pub const MARKS: [(char, char, char); 16] = [
     ('\u{300}', '`', '`'),
     ('\u{301}', '\'', '´'),
     ('\u{302}', '^', '^'),

@@ -13,7 +13,7 @@ use crate::level::document::{Document, Place, SetCell, Table, number};
 use crate::number::clock;
 use crate::physics::{Aabb, DVec2};
 use crate::screens::screen::{Destination, Request};
-use crate::screens::{flight::Flight, flight::trail::FlownTrail};
+use crate::screens::{flight::Flight, flight::open::FlownTrail};
 use crate::ui::input::Input;
 use crate::view::{mechanisms::movers, theme};
 use crate::words::tr;

@@ -1,9 +1,9 @@
 //! An attempt and its end: its score, or the next attempt.
 
 use super::Flight;
+use super::open::FlownTrail;
 use super::pilot::steers;
 use super::race::Race;
-use super::trail::FlownTrail;
 use super::what_if::WhatIf;
 use crate::game::{Game, GameEvent, History, Outcome, Replay, RunResult};
 use crate::number::clock;

@@ -1,18 +1,14 @@
 //! The game screen: an attempt at a level, flown by hand, by recorded inputs, or watched from a reel.
 
-mod ahead;
 mod ending;
 pub mod instruments;
-mod intro;
 pub mod observer;
-mod open;
-mod pause;
+pub mod open;
 mod pilot;
 pub mod race;
 mod reel;
 mod reload;
 mod signs;
-pub mod trail;
 mod what_if;
 mod worksheet;
 
@@ -137,7 +133,7 @@ impl Screen for Flight {
     fn halt(&mut self) {
         if self.run.game.outcome() == Outcome::Running && !self.is_watched() && self.open.pause.is_none() {
             self.let_go();
-            self.open.pause = Some(pause::RESUME);
+            self.open.pause = Some(open::RESUME);
         }
     }
 
@@ -284,7 +280,7 @@ impl Flight {
         self.open.hints.time += input.worked();
         if input.acts(Action::Pause) || input.acts(Action::Hint) && self.takes_hint() {
             self.let_go();
-            self.open.pause = Some(pause::RESUME);
+            self.open.pause = Some(open::RESUME);
             return None;
         }
         self.fly(input, spectator);

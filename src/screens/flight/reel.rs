@@ -9,7 +9,7 @@ use crate::draw::{Canvas, Style};
 use crate::game::{Clock, Outcome, Reel};
 use crate::number::clock;
 use crate::screens::screen::{GameScene, Request, Screen};
-use crate::screens::{flight::ahead::Ahead, flight::observer::Observer};
+use crate::screens::{flight::observer::Observer, flight::pilot::Ahead};
 use crate::session::library::Attempt;
 use crate::settings::{Action, Key};
 use crate::ui::{Spectator, Ui, WidgetKind, input::Input};

@@ -13,7 +13,7 @@ use crate::instruments::chart::{Chart, ChartMember, TimeWindow};
 use crate::instruments::quantity::{Quantity, VectorPart};
 use crate::instruments::{curve::Curve, fit::FitLaw, track::BodyTrack};
 use crate::physics::{BodyId, DVec2};
-use crate::screens::flight::ahead::Ahead;
+use crate::screens::flight::pilot::Ahead;
 use crate::session::library::NewFile;
 use crate::ui::{Ui, input::Input};
 use crate::words::tr;
