@@ -88,7 +88,10 @@ pub(super) fn open(place: Destination, session: &mut Session, spectator: &mut dy
         Destination::Score(finished) => Box::new(Scoring::open(*finished, session)),
         Destination::Board(visit) => match boards::open(visit, session) {
             Ok(board) => Box::new(board),
-            Err(unread) => unread_board(unread, session),
+            Err((subject, error)) => {
+                let heading = tr!("The scores of {subject} cannot be read", subject);
+                Box::new(LevelSelect::with_panel(Purpose::Leaderboard, heading, vec![error], session))
+            }
         },
         Destination::Flights(visit) => match session.library.load(&visit.level) {
             Ok(level) => Box::new(Flights::open(visit, &level, session)),
@@ -145,11 +148,6 @@ fn fly_folder(path: &Path, session: &mut Session, spectator: &mut dyn Spectator)
         None => (tr("There is no such level").to_owned(), vec![path.display().to_string()]),
     };
     Box::new(LevelSelect::with_panel(Purpose::Play, heading, problems, session))
-}
-
-fn unread_board((subject, error): (String, String), session: &mut Session) -> Box<dyn Screen> {
-    let heading = tr!("The scores of {subject} cannot be read", subject);
-    Box::new(LevelSelect::with_panel(Purpose::Leaderboard, heading, vec![error], session))
 }
 
 fn follow(link: PageLink, session: &mut Session, spectator: &mut dyn Spectator) -> Result<Box<dyn Screen>, String> {

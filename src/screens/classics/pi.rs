@@ -23,6 +23,17 @@ pub const DIGITS: &str = "3141592653";
 /// N at the start.
 const FIRST_N: u32 = 2;
 
+/// How long the counter shows that there was a collision, s.
+const FLASH: f64 = 0.12;
+/// From the canvas' left edge to the wall's face.
+const WALL: f32 = 64.0;
+/// From the canvas' foot to the floor.
+const FLOOR: f32 = 136.0;
+/// Canvas units a metre of distance.
+const METRE: f32 = 300.0;
+/// Canvas units a unit of the blocks' sides, |log₁₀(mass + 10)|: the largest block, 18 of them, leaves room for the counter.
+const SIDE: f32 = 19.0;
+
 /// The buttons, and the key of each.
 const TOOLS: [(&str, Key, &str); 6] = [
     ("Back", Key::Escape, "Esc"),
@@ -79,54 +90,8 @@ impl Pi {
         self.time = if self.behind { self.blocks.time } else { until };
         self.quiet_for = if made > 0 { 0.0 } else { self.quiet_for + frame_time };
     }
-}
 
-impl Screen for Pi {
-    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        self.draw(ui.canvas());
-        match ui.tools(&TOOLS) {
-            Some("Back") => return Some(Request::Pop),
-            Some("Restart") => self.restart(self.n),
-            Some("N − 1") if self.n > 0 => self.restart(self.n - 1),
-            Some("N + 1") if self.n < MAX_N => self.restart(self.n + 1),
-            Some("Slower") => self.speed = self.speed.saturating_sub(1),
-            Some("Faster") => self.speed = (self.speed + 1).min(SPEEDS.len() - 1),
-            Some(_) | None => {}
-        }
-        self.advance(ui.input().frame_time);
-        None
-    }
-
-    fn parent(&self) -> Destination {
-        Destination::Classics(Some(Classic::Pi))
-    }
-
-    fn motion(&self, _: &Input) -> Motion {
-        Motion::Full
-    }
-
-    fn tune(&self) -> Option<&str> {
-        Some("pi")
-    }
-
-    fn noises(&self) -> Vec<Noise> {
-        if self.quiet_for == 0.0 { vec![Noise::Collision] } else { Vec::new() }
-    }
-}
-
-/// How long the counter shows that there was a collision, s.
-const FLASH: f64 = 0.12;
-/// From the canvas' left edge to the wall's face.
-const WALL: f32 = 64.0;
-/// From the canvas' foot to the floor.
-const FLOOR: f32 = 136.0;
-/// Canvas units a metre of distance.
-const METRE: f32 = 300.0;
-/// Canvas units a unit of the blocks' sides, |log₁₀(mass + 10)|: the largest block, 18 of them, leaves room for the counter.
-const SIDE: f32 = 19.0;
-
-impl Pi {
-    pub(super) fn draw(&self, canvas: &Canvas) {
+    fn draw(&self, canvas: &Canvas) {
         widgets::graph_paper(canvas);
         self.draw_blocks(canvas);
         self.draw_counter(canvas);
@@ -198,6 +163,39 @@ impl Pi {
             (Some(_), false) => format!("π = {}{}{}…", &digits[..1], if self.n > 0 { "." } else { "" }, &digits[1..]),
         };
         canvas.text(&words, Vec2::new(middle, 184.0), quiet);
+    }
+}
+
+impl Screen for Pi {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        self.draw(ui.canvas());
+        match ui.tools(&TOOLS) {
+            Some("Back") => return Some(Request::Pop),
+            Some("Restart") => self.restart(self.n),
+            Some("N − 1") if self.n > 0 => self.restart(self.n - 1),
+            Some("N + 1") if self.n < MAX_N => self.restart(self.n + 1),
+            Some("Slower") => self.speed = self.speed.saturating_sub(1),
+            Some("Faster") => self.speed = (self.speed + 1).min(SPEEDS.len() - 1),
+            Some(_) | None => {}
+        }
+        self.advance(ui.input().frame_time);
+        None
+    }
+
+    fn parent(&self) -> Destination {
+        Destination::Classics(Some(Classic::Pi))
+    }
+
+    fn motion(&self, _: &Input) -> Motion {
+        Motion::Full
+    }
+
+    fn tune(&self) -> Option<&str> {
+        Some("pi")
+    }
+
+    fn noises(&self) -> Vec<Noise> {
+        if self.quiet_for == 0.0 { vec![Noise::Collision] } else { Vec::new() }
     }
 }
 

@@ -103,9 +103,7 @@ impl Editor {
         }
         None
     }
-}
 
-impl Editor {
     /// Keeps unsaved edits beside the files, for the next time that the level is edited.
     /// Errors: why they would be lost, in words.
     pub(in crate::screens) fn keep(&mut self) -> Result<(), String> {
@@ -117,11 +115,6 @@ impl Editor {
         let kept = self.folder.keep(&self.document);
         self.keeps = kept.is_ok();
         kept.map_err(|error| tr!("The edits cannot be kept beside the files: {error}", error))
-    }
-
-    /// Whether no edit is lost when the program ends now.
-    pub(in crate::screens) fn is_kept(&self) -> bool {
-        !self.is_unsaved() || self.keeps && self.kept.0 == self.document.version()
     }
 
     /// Takes over files that another program has written, or asks where both have changed one.

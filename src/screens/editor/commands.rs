@@ -113,7 +113,7 @@ impl Editor {
             }
             self.tool = EditorTool::Select;
         }
-        if let Some(tool) = Self::tool_of_key(input).filter(|_| !control) {
+        if let Some(tool) = EditorTool::all().find(|tool| !control && input.pressed(tool.key())) {
             self.take_tool(tool);
             return pass.close(None);
         }

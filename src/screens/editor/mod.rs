@@ -177,7 +177,7 @@ impl Screen for Editor {
     }
 
     fn is_at_risk(&self) -> bool {
-        !self.is_kept()
+        self.is_unsaved() && !(self.keeps && self.kept.0 == self.document.version())
     }
 
     fn motion(&self, input: &Input) -> Motion {

@@ -47,12 +47,8 @@ impl Editor {
                 .for_each(|[from, to]| canvas.line(from, to, 1.5, theme::ground()));
             canvas.dashed(&[at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0), at(0.0, 0.0)], &[6.0, 4.0], 1.5, theme::bad());
         }
-        self.draw_one_way(canvas, area, cell("one_way"));
-    }
-
-    fn draw_one_way(&self, canvas: &Canvas, area: Area, side: &str) {
         let (a, b) = (area.min, area.max());
-        let (from, to) = match side.to_ascii_lowercase().as_str() {
+        let (from, to) = match cell("one_way").to_ascii_lowercase().as_str() {
             "top" => (a, Vec2::new(b.x, a.y)),
             "bottom" => (Vec2::new(a.x, b.y), b),
             "left" => (a, Vec2::new(a.x, b.y)),

@@ -66,9 +66,7 @@ impl Editor {
             Some(PointerDrag::Pan(_) | PointerDrag::Move { .. } | PointerDrag::Handle { .. }) | None => {}
         }
     }
-}
 
-impl Editor {
     /// A link that is pulled to the pointer, and the body that it would join there.
     fn draw_pull(&self, canvas: &Canvas, from: DVec2, form: LinkForm) {
         let to = self.view.pixels(self.pointer);

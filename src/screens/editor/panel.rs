@@ -60,7 +60,10 @@ impl CellPanel {
                 let columns = kind.schema().columns.iter().filter(|column| column.name != "kind" || kind == Kind::Link);
                 columns.map(|column| self.field(document, column)).collect()
             }
-            None if rows.is_empty() => SETTINGS.iter().map(|column| setting(document, column)).collect(),
+            None if rows.is_empty() => {
+                let text = |column: &Column| Some(document.setting(column.name).unwrap_or_default().to_owned());
+                SETTINGS.iter().map(|column| CellField { column, text: text(column) }).collect()
+            }
             None => Vec::new(),
         };
     }
@@ -137,10 +140,6 @@ impl CellPanel {
         }
         CellWrite::Cells(self.rows.iter().map(|row| SetCell { row: *row, column: name, text: text.clone() }).collect(), gesture)
     }
-}
-
-fn setting(document: &Document, column: &'static Column) -> CellField {
-    CellField { column, text: Some(document.setting(column.name).unwrap_or_default().to_owned()) }
 }
 
 /// The word after that one, or the one before it; an empty cell means the first.

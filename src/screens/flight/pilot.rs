@@ -263,6 +263,50 @@ impl Flight {
     pub const fn is_watched(&self) -> bool {
         matches!(self.pilot.source, Controller::Reel(_))
     }
+
+    /// A frame with the key of rewinding; whether it is held. The attempt before, if that was just lost, comes back by it.
+    pub(super) fn rewind(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
+        let may = self.is_by_hand() && self.run.what_if.is_none() && !self.seen.observer.frozen();
+        if !may || !input.keeps(Action::Rewind) {
+            self.pilot.rewind.held = None;
+            return false;
+        }
+        self.bring_back_lost();
+        let held = self.pilot.rewind.held.unwrap_or(0.0) + input.frame_time;
+        self.pilot.rewind = Rewind { practice: true, held: Some(held) };
+        self.run.assisted = true;
+        self.let_go();
+        self.pilot.clock.add(input.frame_time * (PACES[0] + GROWTH * held).min(PACES[1]));
+        let back = std::iter::from_fn(|| self.pilot.clock.tick().then_some(())).count() as u64;
+        if back > 0 {
+            self.show_moment(self.run.game.ticks().saturating_sub(back), spectator);
+            if let Some(race) = &mut self.run.race {
+                race.back_to(&self.run.game);
+            }
+        }
+        true
+    }
+
+    /// Takes the attempt that was lost in place of the one that has not begun yet.
+    fn bring_back_lost(&mut self) {
+        let Some(flown) = self.run.lost.take_if(|_| self.run.game.is_idle()).and_then(|lost| lost.flown) else { return };
+        if Arc::ptr_eq(&flown.level, &self.run.attempt.level) {
+            self.run.history = flown.history.clone();
+            self.run.game = self.run.history.at(u64::MAX);
+        }
+    }
+
+    /// The words about it, while the flight is rewound and after that.
+    pub(super) fn rewind_words(&self, keys: &Bindings) -> Option<String> {
+        let restart = keys.label(Action::Restart);
+        match self.pilot.rewind {
+            Rewind { held: Some(_), .. } => Some(tr("Rewinding: let go to fly on from here").to_owned()),
+            Rewind { practice: true, .. } => {
+                Some(tr!("Practice after a rewind, not ranked: {restart} flies for the score", restart))
+            }
+            Rewind { .. } => None,
+        }
+    }
 }
 
 const MODIFIERS: [Key; 3] = [Key::Shift, Key::Control, Key::Alt];
@@ -340,50 +384,4 @@ const GROWTH: f64 = 1.5;
 pub(super) struct Rewind {
     pub practice: bool,
     pub held: Option<f64>,
-}
-
-impl Flight {
-    /// A frame with the key of rewinding; whether it is held. The attempt before, if that was just lost, comes back by it.
-    pub(super) fn rewind(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
-        let may = self.is_by_hand() && self.run.what_if.is_none() && !self.seen.observer.frozen();
-        if !may || !input.keeps(Action::Rewind) {
-            self.pilot.rewind.held = None;
-            return false;
-        }
-        self.bring_back_lost();
-        let held = self.pilot.rewind.held.unwrap_or(0.0) + input.frame_time;
-        self.pilot.rewind = Rewind { practice: true, held: Some(held) };
-        self.run.assisted = true;
-        self.let_go();
-        self.pilot.clock.add(input.frame_time * (PACES[0] + GROWTH * held).min(PACES[1]));
-        let back = std::iter::from_fn(|| self.pilot.clock.tick().then_some(())).count() as u64;
-        if back > 0 {
-            self.show_moment(self.run.game.ticks().saturating_sub(back), spectator);
-            if let Some(race) = &mut self.run.race {
-                race.back_to(&self.run.game);
-            }
-        }
-        true
-    }
-
-    /// Takes the attempt that was lost in place of the one that has not begun yet.
-    fn bring_back_lost(&mut self) {
-        let Some(flown) = self.run.lost.take_if(|_| self.run.game.is_idle()).and_then(|lost| lost.flown) else { return };
-        if Arc::ptr_eq(&flown.level, &self.run.attempt.level) {
-            self.run.history = flown.history.clone();
-            self.run.game = self.run.history.at(u64::MAX);
-        }
-    }
-
-    /// The words about it, while the flight is rewound and after that.
-    pub(super) fn rewind_words(&self, keys: &Bindings) -> Option<String> {
-        let restart = keys.label(Action::Restart);
-        match self.pilot.rewind {
-            Rewind { held: Some(_), .. } => Some(tr("Rewinding: let go to fly on from here").to_owned()),
-            Rewind { practice: true, .. } => {
-                Some(tr!("Practice after a rewind, not ranked: {restart} flies for the score", restart))
-            }
-            Rewind { .. } => None,
-        }
-    }
 }

@@ -62,7 +62,7 @@ impl Balls {
             self.rebuild(0);
         }
         if input.right_click {
-            if self.count() >= MOST {
+            if self.areas().count() >= MOST {
                 self.rebuild(1);
             }
             let mut random = Pcg32::seed_from_u64(self.time.to_bits() ^ self.seed);
@@ -77,10 +77,6 @@ impl Balls {
                 world.step(1.0 / TICK_RATE);
             }
         }
-    }
-
-    fn count(&self) -> usize {
-        self.world.as_ref().map_or(0, |world| world.bodies().len() - 1)
     }
 
     /// The ship's centre (m, with the metres of the canvas), its angle (degrees) and how its engine burns (1 or 0), between the last two ticks.
@@ -100,6 +96,15 @@ impl Balls {
                 Area::around(centre.as_vec2(), Vec2::splat(2.0 * RADIUS as f32 * METRE))
             })
         })
+    }
+
+    pub fn draw(&self, canvas: &Canvas) {
+        for (i, area) in self.areas().enumerate() {
+            let (centre, radius) = (area.centre(), area.size.x / 2.0);
+            let colour = [theme::player_objective(), theme::physics_objective(), theme::good(), theme::accent()][i % 4];
+            canvas.disc(centre, radius, colour);
+            canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::text().faded(0.7));
+        }
     }
 
     /// A world of the window as it is now, with all balls but the `without` oldest ones.
@@ -167,17 +172,6 @@ fn metres(point: Vec2) -> DVec2 {
 
 fn in_metres(area: &Area) -> Aabb {
     Aabb::new(metres(area.min), metres(area.max()))
-}
-
-impl Balls {
-    pub fn draw(&self, canvas: &Canvas) {
-        for (i, area) in self.areas().enumerate() {
-            let (centre, radius) = (area.centre(), area.size.x / 2.0);
-            let colour = [theme::player_objective(), theme::physics_objective(), theme::good(), theme::accent()][i % 4];
-            canvas.disc(centre, radius, colour);
-            canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::text().faded(0.7));
-        }
-    }
 }
 
 /// N/kg, downwards.

@@ -175,35 +175,7 @@ impl Plot {
         }
         self.refresh(false);
     }
-}
 
-/// Returns the pressed action; tooltips stand above `top`, off the curves.
-fn row(ui: &mut Ui<'_>, buttons: &[PlotButton], areas: Vec<Area>, top: f32) -> Option<Action> {
-    let mut pressed = None;
-    for ((label, words, action), area) in buttons.iter().zip(areas) {
-        if ui.small_button((label, words), area, Style::new(DETAILS, theme::text()).centred()) {
-            pressed = Some(*action);
-        }
-        if let Some(tip) = action.tip() {
-            ui.tip_above(area, tip, Some(top));
-        }
-    }
-    pressed
-}
-
-fn words(buttons: &[PlotButton]) -> Vec<String> {
-    buttons.iter().map(|(_, words, _)| words.clone()).collect()
-}
-
-/// A fit with all that it depends on.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Fitted {
-    of: (FitLaw, usize, Option<BodyId>, [Quantity; 2], (usize, usize)),
-    /// `None` where the stretch has too few points.
-    fit: Option<Fit>,
-}
-
-impl Plot {
     pub(super) fn refit(&mut self) {
         let selected = self.shown().find(|(number, ..)| *number == self.selected);
         let Some((law, (number, line, track))) = self.law.zip(selected) else {
@@ -256,4 +228,30 @@ impl Plot {
         let stem = chart::stem(&self.level, &curves);
         self.export = Some(NewFile { stem, ending, bytes: text.into_bytes(), what: tr("the curves"), same_up_to: INPUTS });
     }
+}
+
+/// Returns the pressed action; tooltips stand above `top`, off the curves.
+fn row(ui: &mut Ui<'_>, buttons: &[PlotButton], areas: Vec<Area>, top: f32) -> Option<Action> {
+    let mut pressed = None;
+    for ((label, words, action), area) in buttons.iter().zip(areas) {
+        if ui.small_button((label, words), area, Style::new(DETAILS, theme::text()).centred()) {
+            pressed = Some(*action);
+        }
+        if let Some(tip) = action.tip() {
+            ui.tip_above(area, tip, Some(top));
+        }
+    }
+    pressed
+}
+
+fn words(buttons: &[PlotButton]) -> Vec<String> {
+    buttons.iter().map(|(_, words, _)| words.clone()).collect()
+}
+
+/// A fit with all that it depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Fitted {
+    of: (FitLaw, usize, Option<BodyId>, [Quantity; 2], (usize, usize)),
+    /// `None` where the stretch has too few points.
+    fit: Option<Fit>,
 }
