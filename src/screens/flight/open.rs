@@ -1,11 +1,10 @@
-//! What is open over a flight: its panels and notices, and the level's files. The pause panel, and the settings above it. The viewer's part of a watched
-//! flight. The path of a flight and its impacts, for the picture of the level.
+//! What is open over a flight: its panels and notices, and the level's files. The pause panel, and the settings above it. The path of a
+//! flight and its impacts, for the picture of the level.
 
 use super::Flight;
-use super::pilot::Ahead;
 use super::signs::{Hints, News};
 use crate::draw::layout::{Area, HEADING, PADDING, Vec2, WIDE_BUTTON};
-use crate::game::{Game, GameError, GameEvent, History, SHIP, Unflown};
+use crate::game::{Game, GameError, GameEvent, History, SHIP};
 use crate::level::Level;
 use crate::physics::DVec2;
 use crate::screens::screen::{Destination, Effect, Purpose, Request, Screen};
@@ -164,17 +163,6 @@ impl Flight {
             request => Some(request),
         }
     }
-}
-
-#[derive(Debug)]
-pub(super) struct Viewer {
-    pub title: String,
-    /// The inputs that the history lacks.
-    pub unflown: Option<Unflown>,
-    /// Ticks to fly of them in a frame.
-    pub ahead: Ahead,
-    /// Whether the pointer holds the time line.
-    pub dragged: bool,
 }
 
 /// From one point of the path to the next, ticks.

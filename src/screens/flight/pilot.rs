@@ -2,9 +2,8 @@
 //! what is shown: as many as frames stay short with.
 
 use super::Flight;
-use super::open::Viewer;
 use super::what_if::AGAIN;
-use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback};
+use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback, Unflown};
 use crate::session::library::Attempt;
 use crate::settings::{Action, Bindings, Key, Keys};
 use crate::ui::Spectator;
@@ -68,6 +67,17 @@ impl Pilot {
             ahead: Ahead::within(AGAIN),
         }
     }
+}
+
+#[derive(Debug)]
+pub(super) struct Viewer {
+    pub title: String,
+    /// The inputs that the history lacks.
+    pub unflown: Option<Unflown>,
+    /// Ticks to fly of them in a frame.
+    pub ahead: Ahead,
+    /// Whether the pointer holds the time line.
+    pub dragged: bool,
 }
 
 #[derive(Debug)]

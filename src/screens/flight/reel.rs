@@ -2,8 +2,7 @@
 //! flown again to the wanted moment.
 
 use super::Flight;
-use super::open::Viewer;
-use super::pilot::Controller;
+use super::pilot::{Controller, Viewer};
 use crate::draw::layout::{Area, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Clock, Outcome, Reel};
