@@ -186,56 +186,6 @@ impl Flight {
             canvas.text(&offer.asks, above, quiet.right());
         }
     }
-
-    /// Whether a restart now counts as a loss: a level without hazards has no other.
-    pub(in crate::screens) fn is_given_up(&self) -> bool {
-        let counts = self.is_by_hand() && !self.open.test && self.run.what_if.is_none();
-        counts && self.run.game.outcome() == Outcome::Running && !self.run.game.is_idle()
-    }
-
-    /// Whether a hint is left to be given.
-    pub(super) fn offers_hint(&self) -> bool {
-        let Hints { losses, time, given } = self.open.hints;
-        (losses >= LOSSES || time >= PATIENCE) && given < self.run.attempt.level.hints.len()
-    }
-
-    pub(super) const fn give_hint(&mut self) {
-        self.open.hints.given += 1;
-    }
-
-    /// Whether the key of hints has something to show: it gives one that is left, above the pause panel.
-    pub(super) fn takes_hint(&mut self) -> bool {
-        if self.offers_hint() {
-            self.give_hint();
-        }
-        self.open.hints.given > 0
-    }
-
-    /// A quiet line in the corner while a hint is offered.
-    fn draw_offer(&self, canvas: &Canvas) {
-        if self.offers_hint() && !self.is_watched() {
-            let words = tr!("{key}: a hint", key = self.seen.observer.keys().label(Action::Hint));
-            let at = self.seen.instruments.room(canvas.frame()).size - PADDING;
-            let style = Style::new(TEXT, theme::quiet()).middle().right();
-            canvas.text(&words, at - Vec2::new(0.0, canvas.line_height(TEXT) / 2.0), style);
-        }
-    }
-
-    /// The hints that were given, above the pause panel whose top is at `foot`.
-    pub(super) fn show_hints(&self, ui: &Ui<'_>, foot: f32) {
-        let given: Vec<&String> = self.run.attempt.level.hints.iter().take(self.open.hints.given).collect();
-        if given.is_empty() {
-            return;
-        }
-        let (frame, line) = (ui.frame(), ui.frame().text_height(TEXT) * LINE);
-        let size = Vec2::new((frame.size.x - 2.0 * PADDING).min(960.0), given.len() as f32 * line + PADDING);
-        let top = (foot - PADDING - size.y).max(PADDING);
-        ui.panel(Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size });
-        for (i, hint) in given.into_iter().enumerate() {
-            let middle = Vec2::new(frame.size.x / 2.0, top + 0.5 * PADDING + (i as f32 + 0.5) * line);
-            ui.fitted(tr(hint), middle, &[TEXT, DETAILS], theme::accent());
-        }
-    }
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -305,4 +255,56 @@ pub(super) struct Hints {
     pub losses: u32,
     pub time: f64,
     given: usize,
+}
+
+impl Flight {
+    /// Whether a restart now counts as a loss: a level without hazards has no other.
+    pub(in crate::screens) fn is_given_up(&self) -> bool {
+        let counts = self.is_by_hand() && !self.open.test && self.run.what_if.is_none();
+        counts && self.run.game.outcome() == Outcome::Running && !self.run.game.is_idle()
+    }
+
+    /// Whether a hint is left to be given.
+    pub(super) fn offers_hint(&self) -> bool {
+        let Hints { losses, time, given } = self.open.hints;
+        (losses >= LOSSES || time >= PATIENCE) && given < self.run.attempt.level.hints.len()
+    }
+
+    pub(super) const fn give_hint(&mut self) {
+        self.open.hints.given += 1;
+    }
+
+    /// Whether the key of hints has something to show: it gives one that is left, above the pause panel.
+    pub(super) fn takes_hint(&mut self) -> bool {
+        if self.offers_hint() {
+            self.give_hint();
+        }
+        self.open.hints.given > 0
+    }
+
+    /// A quiet line in the corner while a hint is offered.
+    fn draw_offer(&self, canvas: &Canvas) {
+        if self.offers_hint() && !self.is_watched() {
+            let words = tr!("{key}: a hint", key = self.seen.observer.keys().label(Action::Hint));
+            let at = self.seen.instruments.room(canvas.frame()).size - PADDING;
+            let style = Style::new(TEXT, theme::quiet()).middle().right();
+            canvas.text(&words, at - Vec2::new(0.0, canvas.line_height(TEXT) / 2.0), style);
+        }
+    }
+
+    /// The hints that were given, above the pause panel whose top is at `foot`.
+    pub(super) fn show_hints(&self, ui: &Ui<'_>, foot: f32) {
+        let given: Vec<&String> = self.run.attempt.level.hints.iter().take(self.open.hints.given).collect();
+        if given.is_empty() {
+            return;
+        }
+        let (frame, line) = (ui.frame(), ui.frame().text_height(TEXT) * LINE);
+        let size = Vec2::new((frame.size.x - 2.0 * PADDING).min(960.0), given.len() as f32 * line + PADDING);
+        let top = (foot - PADDING - size.y).max(PADDING);
+        ui.panel(Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size });
+        for (i, hint) in given.into_iter().enumerate() {
+            let middle = Vec2::new(frame.size.x / 2.0, top + 0.5 * PADDING + (i as f32 + 0.5) * line);
+            ui.fitted(tr(hint), middle, &[TEXT, DETAILS], theme::accent());
+        }
+    }
 }

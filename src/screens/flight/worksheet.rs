@@ -10,7 +10,8 @@ use crate::screens::lab::Paragraphs;
 use crate::screens::screen::{Effect, Request};
 use crate::session::journal::{Reading, Worksheet};
 use crate::settings::Action;
-use crate::ui::{EntryEvent, Ui, input::Input};
+use crate::ui::input::Input;
+use crate::ui::{EntryEvent, Ui};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 

@@ -6,6 +6,8 @@ use super::shelves::{FOOT, FOOT_BUTTON, SIDE, from_left, from_right};
 use super::{Asked, LevelSelect};
 use crate::draw::Style;
 use crate::draw::layout::{Frame, GAP, ROW_BUTTON, TEXT, Vec2};
+use crate::files;
+use crate::import;
 use crate::level::{self, Awards, scaffold};
 use crate::pack::{self, Installed};
 use crate::screens::screen::{Destination, Effect, Make, OnLevel, Purpose, Request};
@@ -17,7 +19,6 @@ use crate::ui::Ui;
 use crate::ui::prompt::{Prompt, Reply};
 use crate::view::{theme, widgets};
 use crate::words::tr;
-use crate::{files, import};
 use std::collections::btree_map::Entry as Slot;
 use std::path::{Path, PathBuf};
 
@@ -136,9 +137,9 @@ impl LevelSelect {
     pub(super) fn show_foot(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let frame = ui.frame();
         let above = self.frame(&frame);
-        let mut pressed: Option<&'static str> = None;
+        let mut pressed = None;
         let row = |labels: &[&str], frame: &Frame| (0..labels.len()).map(|i| from_left(i as f32, frame)).collect();
-        let labels: &[&'static str] = match self.purpose {
+        let labels: &[&str] = match self.purpose {
             Purpose::Edit => {
                 pressed = ui.buttons(row(ON_LEVELS, &above), ON_LEVELS);
                 &["Back", "New", "Copy", "Rename"]

@@ -63,7 +63,7 @@ impl Moment {
     }
 
     /// By when all of it is there, s.
-    pub fn whole(&self) -> f64 {
+    fn whole(&self) -> f64 {
         BEGIN + STEP * (self.forces.len() + 2) as f64
     }
 }
@@ -110,6 +110,11 @@ impl Scoring {
         for (words, place, colour) in places {
             canvas.text(&words, Vec2::new(place.x, foot.y + place.y - at.y), Style { colour, ..style });
         }
+    }
+
+    /// By when the arrows stand, s.
+    pub(super) fn forces_stand(&self) -> f64 {
+        self.moment.as_ref().map_or(0.0, Moment::whole)
     }
 }
 

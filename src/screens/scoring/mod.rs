@@ -300,7 +300,7 @@ impl Screen for Scoring {
     /// Medals come, paths grow, the view opens.
     fn motion(&self, _: &Input) -> Motion {
         let grows = self.paths.iter().any(|(_, track)| !track.is_whole());
-        if self.shown < OPENS.max(self.moment.as_ref().map_or(0.0, Moment::whole)) || grows { Motion::Full } else { Motion::Still }
+        if self.shown < OPENS.max(self.forces_stand()) || grows { Motion::Full } else { Motion::Still }
     }
 
     fn noises(&self) -> Vec<Noise> {
