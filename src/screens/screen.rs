@@ -1,19 +1,14 @@
 //! What a screen is.
 
-use crate::classics::jumper::JumperScene;
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame};
 use crate::game::{Game, RunResult};
-use crate::instruments::vary::Variation;
-use crate::level::Level;
-use crate::scores::Name;
-use crate::session::Session;
 use crate::session::library::{Attempt, Flown, NewFile};
 use crate::session::recordings::{FlightCandidate, Visit};
 use crate::session::worker::{Brought, Ticket};
-use crate::settings::Settings;
 use crate::ui::{Spectator, Ui, input::Input, pace::Motion};
 use crate::view::{GhostShip, Overlays, camera::Viewport, hud::Aside};
+use crate::{classics::jumper::JumperScene, draw::Canvas, instruments::vary::Variation, level::Level, scores::Name};
+use crate::{session::Session, settings::Settings};
 use std::any::Any;
 use std::fmt;
 use std::path::{Path, PathBuf};

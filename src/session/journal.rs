@@ -7,8 +7,7 @@ use super::library::{self, Experiment};
 use crate::game::{Game, Medals, Outcome, RunResult};
 use crate::number::{clock, hundredths};
 use crate::scores::{AttemptRow, Deed, Name, PlayerRecord, Players, ResultRow, Results, Scores, ScoresError, damage_text, time_of};
-use crate::ui::EntryField;
-use crate::words::tr;
+use crate::{ui::EntryField, words::tr};
 use std::collections::BTreeMap;
 
 /// What a lost attempt brings.

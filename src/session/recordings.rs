@@ -2,12 +2,9 @@
 
 use crate::files::{self, INPUTS, LEVEL_TABLE, read_text};
 use crate::game::{LevelHash, Outcome, Reel, Replay, TICK_RATE, level_hash};
-use crate::level::Level;
-use crate::pack;
 use crate::scores::{Board, Name, Scores};
-use crate::session::Session;
 use crate::session::library::{Attempt, Flown, NewFile, Rival};
-use crate::words::tr;
+use crate::{level::Level, pack, session::Session, words::tr};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;

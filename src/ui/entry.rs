@@ -8,9 +8,8 @@ use super::text_field::TextField;
 use super::{Touch, Ui, WidgetKind};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Colour, Style};
-use crate::settings::Key;
 use crate::view::{theme, widgets as paint};
-use crate::words::tr;
+use crate::{settings::Key, words::tr};
 
 /// From the box's edge to its text.
 const INSIDE: f32 = 0.75 * GRID;

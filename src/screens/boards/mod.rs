@@ -2,20 +2,15 @@
 
 pub mod flights;
 
-use crate::classics::jumper::LEADERBOARD;
 use crate::draw::layout::{Area, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Medal, Prize};
-use crate::number::clock;
 use crate::scores::{Board, LoadedBoard, Name, damage_text, subject};
-use crate::screens::classics::jumper;
 use crate::screens::screen::{Classic, Destination, Purpose, Request, Screen};
-use crate::session::Session;
 use crate::session::recordings::{self, BoardRival, Visit};
-use crate::settings::Key;
 use crate::ui::{Turning, Ui, scroll::bar_beside};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{classics::jumper::LEADERBOARD, number::clock, screens::classics::jumper, session::Session, settings::Key, words::tr};
 use std::ops::Range;
 
 const PAGE: usize = 10;

@@ -3,14 +3,11 @@
 
 use super::layout::INSIDE;
 use super::{Editor, EditorPass};
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, Vec2};
 use crate::level::document::{Kind, Place, RowId, SetCell, Table};
-use crate::physics::DVec2;
-use crate::settings::Key;
 use crate::ui::{Ui, WidgetKind, input::Input};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Canvas, physics::DVec2, settings::Key, words::tr};
 
 /// A button of the strip, canvas units.
 const BUTTON: Vec2 = Vec2::new(26.0, 24.0);

@@ -1,16 +1,10 @@
 //! The level's files: saved, kept beside them, taken over from another program, proven by a flight; and the questions about that.
 
 use super::Editor;
-use crate::draw::Style;
 use crate::draw::layout::{Area, GAP, LINE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
-use crate::game::Replay;
 use crate::level::document::{Kept, KeptSide, LevelSaveError, Table};
-use crate::pack;
-use crate::screens::screen::Request;
-use crate::settings::Key;
-use crate::ui::Ui;
 use crate::view::theme;
-use crate::words::tr;
+use crate::{draw::Style, game::Replay, pack, screens::screen::Request, settings::Key, ui::Ui, words::tr};
 
 /// Width of the panel, at least, canvas units, and of a letter in it, in heights of text.
 const WIDTH: f32 = 640.0;

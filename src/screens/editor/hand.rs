@@ -4,12 +4,8 @@ use super::Editor;
 use super::handles::{GRAB, Handle};
 use super::tools::EditorTool;
 use super::view::Snap;
-use crate::draw::layout::Vec2;
 use crate::level::document::{Kind, LinkForm, Place, RowId, Table};
-use crate::physics::DVec2;
-use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::words::tr;
+use crate::{draw::layout::Vec2, physics::DVec2, settings::Key, ui::input::Input, words::tr};
 
 /// A drag shorter than this is a click, canvas units.
 const CLICK: f32 = 4.0;

@@ -7,9 +7,8 @@ use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::level::document::{Kind, LinkForm, Place, number};
-use crate::physics::DVec2;
-use crate::ui::Ui;
 use crate::view::theme;
+use crate::{physics::DVec2, ui::Ui};
 
 impl Editor {
     pub(super) fn draw_selection(&self, canvas: &Canvas) {

@@ -6,9 +6,8 @@ use super::handles::stream_zone;
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour, Image, Style};
 use crate::level::document::{Kind, LinkForm, Place, RowId};
-use crate::level::read_picture;
-use crate::physics::DVec2;
 use crate::view::theme;
+use crate::{level::read_picture, physics::DVec2};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 

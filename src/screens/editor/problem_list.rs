@@ -4,12 +4,10 @@ use super::layout::{INSIDE, PROBLEM_LINES};
 use super::{CHECK_AFTER, Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2, wrapped};
 use crate::draw::{Canvas, Style};
-use crate::level::Problem;
 use crate::level::document::{Kind, RowId, Table};
-use crate::settings::Keys;
 use crate::ui::{Ui, WidgetKind, input::Input};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{level::Problem, settings::Keys, words::tr};
 use std::sync::Arc;
 
 impl Editor {

@@ -6,10 +6,9 @@ use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::level::document::{Kind, LinkForm};
-use crate::settings::Key;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{settings::Key, words::tr};
 
 /// The work of a drag in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

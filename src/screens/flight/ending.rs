@@ -6,14 +6,10 @@ use super::pilot::steers;
 use super::race::Race;
 use super::what_if::WhatIf;
 use crate::game::{Game, GameEvent, History, Outcome, Replay, RunResult};
-use crate::number::clock;
-use crate::scores::subject;
 use crate::screens::screen::{Destination, Effect, Finished, Request};
 use crate::session::library::{Attempt, Flown};
 use crate::session::{Gain, Session};
-use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::words::tr;
+use crate::{number::clock, scores::subject, settings::Key, ui::input::Input, words::tr};
 use std::rc::Rc;
 
 /// From the end of an attempt to its score, s: long enough to see the end.

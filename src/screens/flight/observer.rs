@@ -2,12 +2,9 @@
 //! details are about.
 
 use super::instruments::Instruments;
-use crate::game::Game;
-use crate::number::seconds;
 use crate::settings::{Action, Bindings, Key};
-use crate::ui::input::Input;
 use crate::view::focus::Focus;
-use crate::words::tr;
+use crate::{game::Game, number::seconds, ui::input::Input, words::tr};
 
 /// Paces of the world; 1 is the usual one.
 pub const PACES: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0];

@@ -5,15 +5,11 @@ use super::Flight;
 use super::signs::{Hints, News};
 use crate::draw::layout::{Area, HEADING, PADDING, Vec2, WIDE_BUTTON};
 use crate::game::{Game, GameError, GameEvent, History, SHIP};
-use crate::level::Level;
-use crate::physics::DVec2;
 use crate::screens::screen::{Destination, Effect, Purpose, Request, Screen};
-use crate::screens::settings::SettingsPanel;
 use crate::session::{Session, folder_watch::FolderWatch, journal::Worksheet, library::Attempt, worker::Ticket};
-use crate::settings::Action;
 use crate::ui::{Spectator, Ui, input::Input};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{level::Level, physics::DVec2, screens::settings::SettingsPanel, settings::Action, words::tr};
 use std::sync::Arc;
 
 pub(super) const RESUME: &str = "Resume";

@@ -4,11 +4,9 @@
 use super::Flight;
 use super::what_if::AGAIN;
 use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback, Unflown};
-use crate::session::library::Attempt;
 use crate::settings::{Action, Bindings, Key, Keys};
-use crate::ui::Spectator;
 use crate::ui::input::{Input, Stale};
-use crate::words::tr;
+use crate::{session::library::Attempt, ui::Spectator, words::tr};
 use std::sync::Arc;
 
 /// A frame that takes longer than this is no short one, s.

@@ -1,13 +1,10 @@
 //! Those who fly along: recorded flights as ghosts, and how the ship stands to them at each objective.
 
-use crate::draw::Canvas;
 use crate::game::{Game, GameError, GameEvent, GhostPose, GhostTrack, Outcome, SHIP};
-use crate::level::Level;
 use crate::number::{fixed, hundredths};
-use crate::session::library::Rival;
 use crate::view::hud::{self, Aside};
 use crate::view::{GhostShip, theme};
-use crate::words::tr;
+use crate::{draw::Canvas, level::Level, session::library::Rival, words::tr};
 use std::sync::Arc;
 
 /// The most ghosts at a time: more would hide the level, and each is flown once.

@@ -2,13 +2,10 @@
 
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Image, Style};
-use crate::game::Medals;
 use crate::level::{Awards, Landscape};
-use crate::number::clock;
 use crate::session::{folder_watch::Stamp, library::Refusal};
-use crate::ui::Touch;
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{game::Medals, number::clock, ui::Touch, words::tr};
 
 /// From a card's edge to what is on it.
 const INSIDE: f32 = 12.0;

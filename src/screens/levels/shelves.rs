@@ -6,11 +6,9 @@ use super::{LevelSelect, MOST_LETTERS};
 use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GAP, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Medal, Prize};
-use crate::level::Landscape;
-use crate::settings::Key;
 use crate::ui::{Ui, input::Stroke};
 use crate::view::{sky::WorldPalette, theme, widgets};
-use crate::words::tr;
+use crate::{level::Landscape, settings::Key, words::tr};
 use std::ops::Range;
 
 /// From the canvas' sides to the cards, and from its top: the heading.

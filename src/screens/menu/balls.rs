@@ -1,13 +1,11 @@
 //! What flies in the menu: the ship, which hovers by its own engine, and balls. The game's own engine under weak gravity, without air, on steel. The
 //! pilot of the menu's ship: it keeps the ship over the buttons with the engine alone, and leads it back there from wherever a ball has knocked it.
 
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{Clock, ROTATION_RATE, SHIP, TICK_RATE, nose};
-use crate::level::SHIP_HALF;
 use crate::physics::{Aabb, Body, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
-use crate::ui::input::Input;
 use crate::view::theme;
+use crate::{draw::Canvas, level::SHIP_HALF, ui::input::Input};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 

@@ -1,12 +1,10 @@
 //! Who and what the game is made of, and under which licences.
 
-use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
 use crate::screens::screen::{Request, Screen};
-use crate::settings::Key;
 use crate::ui::{Turning, Ui, scroll::bar_beside};
 use crate::view::theme;
-use crate::words::tr;
+use crate::{draw::Style, settings::Key, words::tr};
 
 /// The game's own licence, word for word.
 const LICENCE: &str = include_str!("../../../LICENSE");

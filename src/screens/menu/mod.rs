@@ -6,15 +6,12 @@ use super::screen::{Destination, GameScene, Purpose, Request, Screen};
 use crate::draw::layout::{Area, Frame, GRID, PADDING, ROW_BUTTON, TEXT, TITLE, Vec2, words_box, words_width};
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::{DVec2, ForceKind};
-use crate::scores::Name;
-use crate::session::Session;
 use crate::session::worker::{Brought, Errand, Ticket};
-use crate::settings::Key;
 use crate::ui::pace::{self, Motion};
 use crate::ui::{Spectator, Ui, input::Input, prompt::Problems};
 use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::{scale, theme, things, widgets};
-use crate::words::tr;
+use crate::{scores::Name, session::Session, settings::Key, words::tr};
 use balls::{Balls, METRE};
 use std::path::Path;
 

@@ -6,11 +6,9 @@ use super::ruler::{Click, Ruler};
 use super::vectors::Scales;
 use super::{Stage, Tool};
 use crate::draw::layout::{Area, Frame, GRID, Vec2};
-use crate::game::Game;
-use crate::instruments::track::Trail;
-use crate::physics::BodyId;
 use crate::ui::{Ui, input::Input};
 use crate::view::focus::Focus;
+use crate::{game::Game, instruments::track::Trail, physics::BodyId};
 
 /// Ticks of reading in a frame, at most.
 const AHEAD: u64 = 600;

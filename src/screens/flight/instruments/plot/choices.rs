@@ -2,10 +2,9 @@
 //! its track in this flight, and in the flight before. Each curve's value and slope at the world's moment, and the area below it.
 
 use super::{Plot, READINGS};
-use crate::game::History;
 use crate::instruments::quantity::{Quantity, Unit, VectorPart};
-use crate::instruments::track::BodyTrack;
 use crate::physics::{BodyId, ForceKind};
+use crate::{game::History, instruments::track::BodyTrack};
 
 /// A family's name and its quantities.
 pub type ChoiceRow = (&'static str, Vec<Quantity>);

@@ -3,18 +3,13 @@
 use super::choices::{self, PlotObject, choices};
 use super::hand::{MOST_LINES, PlotPlaces};
 use super::{Plot, PlotLine, along};
-use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Vec2};
-use crate::files::INPUTS;
-use crate::game::Game;
 use crate::instruments::chart::{self, Exported};
 use crate::instruments::fit::{Fit, FitLaw};
-use crate::instruments::quantity::Quantity;
-use crate::physics::BodyId;
-use crate::session::library::NewFile;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{lanes, theme};
 use crate::words::tr;
+use crate::{draw::Style, files::INPUTS, game::Game, instruments::quantity::Quantity, physics::BodyId, session::library::NewFile};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Action {

@@ -4,16 +4,13 @@
 mod places;
 
 use super::Stage;
-use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, Vec2};
-use crate::game::body_title;
 use crate::instruments::vary::{SliderTrack, Variation};
 use crate::level::{Level, Parameter};
-use crate::number::scalar;
-use crate::physics::BodyId;
 use crate::ui::{EntryEvent, EntryField, SliderMove, SliderShown, Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::{decimals, tr};
+use crate::{draw::Style, game::body_title, number::scalar, physics::BodyId};
 use places::{DragHold, Layout};
 
 const NAME: &str = "Name of the level";
