@@ -7,7 +7,7 @@
 //! An experiment of the Lab, as `experiments/experiments.csv` lists it.
 
 use super::folder_watch::FolderWatch;
-use crate::classics::tile_run::{Command, InputError, Map};
+use crate::classics::tile_run::{Command, Map};
 use crate::files::{self, CHART, CsvFile, CsvRow, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::game::{History, Inputs, Replay};
 use crate::instruments::reading::Wanted;
@@ -211,7 +211,7 @@ impl Library {
     }
 }
 
-fn read<T>(path: PathBuf, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, String> {
+fn read<T>(path: PathBuf, at_most: u64, parse: impl Fn(&str) -> Result<T, String>) -> Result<T, String> {
     let text = read_text(&path, at_most).map_err(|error| format!("{}: {error}", path.display()))?;
     parse(&text).map_err(|error| format!("{}:{error}", path.display()))
 }

@@ -155,8 +155,9 @@ impl Pi {
         let bar = Area::new(middle - width / 2.0, 156.0, width, 4.0);
         canvas.rounded(bar, 2.0, theme::accent().faded(0.15 + 0.85 * flash));
         let digits = &DIGITS[..counter.len()];
+        let of_pi = if counter.len() == 1 { tr("digit").to_owned() } else { tr!("{digits} digits", digits = counter.len()) };
         let words = match (self.blocks.next_time(), self.behind) {
-            (None, _) => tr!("No more will come: the first {digits} of π", digits = plural(counter.len())),
+            (None, _) => tr!("No more will come: the first {digits} of π", digits = of_pi),
             (Some(_), true) => tr("More than a frame can hold: time waits for them").to_owned(),
             (Some(_), false) => format!("π = {}{}{}…", &digits[..1], if self.n > 0 { "." } else { "" }, &digits[1..]),
         };
@@ -207,8 +208,4 @@ fn power(exponent: u32) -> String {
         0..=4 => 10_u64.pow(exponent).to_string(),
         _ => number::power(exponent.cast_signed()),
     }
-}
-
-fn plural(digits: usize) -> String {
-    if digits == 1 { tr("digit").to_owned() } else { tr!("{digits} digits", digits) }
 }

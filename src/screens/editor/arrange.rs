@@ -153,7 +153,7 @@ impl Editor {
     }
 
     fn arrange(&mut self, act: Act) {
-        self.next_gesture();
+        self.gesture += 1;
         let rows = self.selection.clone();
         match act {
             Act::Align(axis, side) => self.align(axis, side),

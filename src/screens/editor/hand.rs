@@ -85,7 +85,7 @@ impl Editor {
     }
 
     fn take_hold(&mut self, input: &Input, at: DVec2) {
-        self.next_gesture();
+        self.gesture += 1;
         match self.tool {
             EditorTool::Add(kind) => {
                 let from = self.snap(input, &[]).point(at);
@@ -171,7 +171,8 @@ impl Editor {
             }
             PointerDrag::Handle { row, mut handle, from, offset, begun, moved } => {
                 let moved = moved || input.pointer.distance(begun) > CLICK;
-                if moved && handle.is_led() {
+                if moved && matches!(handle, Handle::Wire | Handle::End(_)) {
+                    // Only where it is let go it changes something.
                     if !held {
                         return self.end_led(row, handle, self.link_end(input, at));
                     }

@@ -321,10 +321,6 @@ impl Editor {
         self.remark = Some((words, time));
     }
 
-    fn next_gesture(&mut self) {
-        self.gesture += 1;
-    }
-
     /// Brings all of the level, and the things outside of it, into view.
     fn show_all(&mut self) {
         let level = Place { min: DVec2::ZERO, size: self.document.size() };

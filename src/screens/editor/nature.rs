@@ -89,7 +89,7 @@ impl Editor {
         }
         if let Some(colour) = taken.filter(|_| pass.open) {
             pass.close(None);
-            self.next_gesture();
+            self.gesture += 1;
             self.panel.typing = None;
             let cells = |row: &RowId| {
                 let cell = |(column, channel): (&'static str, u8)| SetCell { row: *row, column, text: channel.to_string() };

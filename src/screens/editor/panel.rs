@@ -200,7 +200,7 @@ impl Editor {
             None => {}
         }
         if clicked {
-            self.next_gesture();
+            self.gesture += 1;
         }
     }
 
@@ -264,7 +264,7 @@ impl Editor {
     }
 
     fn take_picture(&mut self, picture: &str) {
-        self.next_gesture();
+        self.gesture += 1;
         self.panel.typing = None;
         let cell = |row: &RowId| SetCell { row: *row, column: "image", text: picture.to_owned() };
         self.set(&self.selection.iter().map(cell).collect::<Vec<_>>());

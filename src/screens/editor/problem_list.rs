@@ -110,7 +110,7 @@ impl Editor {
         let row = Table::of_file(&problem.file).and_then(|table| self.document.row_at(table, problem.line));
         let before = std::mem::take(&mut self.selection);
         let Some(row) = row else { return self.say(tr!("{file} has no such row.", file = problem.file)) };
-        self.next_gesture();
+        self.gesture += 1;
         if self.document.kind(row) == Some(Kind::Setting) {
             let name = self.document.cell(row, "name").unwrap_or_default().to_owned();
             self.panel.read(&self.document, &[]);

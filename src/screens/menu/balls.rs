@@ -81,7 +81,8 @@ impl Balls {
     pub fn ship(&self) -> Option<(DVec2, f64, f64)> {
         let (world, alpha) = (self.world.as_ref()?, self.clock.alpha());
         let centre = world.previous_position(SHIP).lerp(world.body(SHIP).position, alpha);
-        Some((centre, self.hover.angle(alpha), self.hover.burning()))
+        let (now, before) = self.hover.angle;
+        Some((centre, before + (now - before) * alpha, (self.hover.burning * 2.0).min(1.0)))
     }
 
     /// The balls' boxes on the canvas, between the last two ticks.
@@ -254,16 +255,6 @@ impl Hover {
         self.due -= f64::from(u8::from(burst));
         self.burning += (f64::from(u8::from(burst)) - self.burning) * SHOWN;
         if burst { nose * THRUST } else { DVec2::ZERO }
-    }
-
-    /// The angle between the last two ticks, degrees.
-    pub fn angle(&self, alpha: f64) -> f64 {
-        self.angle.1 + (self.angle.0 - self.angle.1) * alpha
-    }
-
-    /// How much the engine burns, 0 … 1.
-    pub fn burning(&self) -> f64 {
-        (self.burning * 2.0).min(1.0)
     }
 
     /// Where to fly from there: home, or first around what lies between.

@@ -81,10 +81,6 @@ impl PlotObject {
         self.before.as_ref().filter(|track| !track.is_empty())
     }
 
-    pub fn has_all_of(&self, history: &History) -> bool {
-        self.track().is_none_or(|track| track.tick_of(track.len() - 1) >= history.ticks())
-    }
-
     /// The flight was left at that tick; the run before may also differ beyond its own end.
     pub fn back_to(&mut self, history: &History, tick: u64) {
         if let Some(track) = &mut self.now {

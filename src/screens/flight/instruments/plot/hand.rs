@@ -19,12 +19,6 @@ pub(super) enum Hand {
     End(u64),
 }
 
-impl Hand {
-    pub fn holds(self) -> bool {
-        self != Self::Empty
-    }
-}
-
 impl Plot {
     pub(super) fn follow_pointer(&mut self, input: &Input, (places, chart): (&PlotPlaces, &Chart), seekable: bool) {
         let over = places.plot.contains(input.pointer);
@@ -34,7 +28,7 @@ impl Plot {
         if !(input.holding || input.click) {
             self.hand = Hand::Empty;
         }
-        if !(self.hand.holds() || over && input.click) {
+        if !(self.hand != Hand::Empty || over && input.click) {
             return;
         }
         let Some(tick) = self.tick_at(input.pointer, places, chart) else { return };

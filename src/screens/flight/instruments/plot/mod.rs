@@ -135,7 +135,7 @@ impl Plot {
         }
         let mut rest = input.clone();
         // A click beside the open list only closes it.
-        if picking || places.panel.contains(input.pointer) || self.hand.holds() {
+        if picking || places.panel.contains(input.pointer) || self.hand != Hand::Empty {
             (rest.click, rest.wheel, rest.pointed) = (false, 0.0, None);
         }
         self.places = Some(places);
@@ -201,7 +201,8 @@ impl Plot {
         }
         self.compared = compared;
         self.refresh(false);
-        let all = self.objects.iter().all(|object| object.has_all_of(stage.history));
+        let is_read = |track: &BodyTrack| track.tick_of(track.len() - 1) >= stage.history.ticks();
+        let all = self.objects.iter().all(|object| object.track().is_none_or(is_read));
         if let (Some(format), true, true) = (self.waiting, all, frame_time > 0.0) {
             self.waiting = None;
             self.make_file(format, game);

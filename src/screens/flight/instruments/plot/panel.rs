@@ -152,7 +152,11 @@ impl Plot {
                 let object = &mut self.objects[whose];
                 object.kept = if object.kept.is_some() { None } else { object.track().map(|track| track.body) };
             }
-            Action::Law => self.next_law(),
+            // From none through every law to none.
+            Action::Law => {
+                let next = self.law.map_or(0, |law| law as usize + 1);
+                (self.law, self.message) = (FitLaw::ALL.get(next).copied(), None);
+            }
             Action::Export(format) => (self.waiting, self.message) = (Some(format), None),
             Action::Whole => self.window = None,
             Action::Larger => self.large = !self.large,
@@ -193,12 +197,6 @@ impl Plot {
     pub(super) fn fit_words(&self) -> Option<String> {
         let (fit, line) = (self.fit()?, self.lines.get(self.selected)?);
         Some(fit.words(line.up, self.across))
-    }
-
-    /// From none through every law to none.
-    pub(super) fn next_law(&mut self) {
-        let next = self.law.map_or(0, |law| law as usize + 1);
-        (self.law, self.message) = (FitLaw::ALL.get(next).copied(), None);
     }
 
     pub(super) fn make_file(&mut self, format: Format, game: &Game) {
