@@ -282,10 +282,6 @@ impl Worksheet {
         }
     }
 
-    pub fn folder(&self) -> &str {
-        &self.experiment.folder
-    }
-
     /// Whether a prediction can still be made or changed.
     pub const fn predicts(&self) -> bool {
         self.predicted.is_none() && !self.begun

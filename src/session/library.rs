@@ -57,8 +57,8 @@ pub struct Library {
     levels: PathBuf,
     /// A level's folder that is not one of `levels`, while that level is played or edited.
     outside: Option<PathBuf>,
-    /// The level of a folder as the worker has read it, for the screen that opens.
-    prepared: Option<(PathBuf, Result<Arc<Level>, Refusal>)>,
+    /// The level of a folder as the worker has read it, for the screen that opens: [`Library::load`] reads no file then.
+    pub prepared: Option<(PathBuf, Result<Arc<Level>, Refusal>)>,
 }
 
 impl Library {
@@ -121,16 +121,6 @@ impl Library {
     pub fn watch(&self, level: &Level) -> FolderWatch {
         let folder = self.folder(&level.name);
         FolderWatch::new(folder, level.pictures().cloned().collect())
-    }
-
-    /// Holds the level of a folder ready, so that [`Library::load`] reads no file.
-    pub fn prepare(&mut self, folder: PathBuf, level: Result<Arc<Level>, Refusal>) {
-        self.prepared = Some((folder, level));
-    }
-
-    /// Every level is read again.
-    pub fn forget_prepared(&mut self) {
-        self.prepared = None;
     }
 
     /// Reads a level.

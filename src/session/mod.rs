@@ -137,15 +137,14 @@ impl Session {
     /// Holds ready what the worker has read, for the screen that opens.
     pub fn prepare(&mut self, brought: Brought) {
         match brought {
-            Brought::Level(folder, level) => self.library.prepare(folder, level),
+            Brought::Level(folder, level) => self.library.prepared = Some((folder, level)),
             other => self.brought = Some(other),
         }
     }
 
     /// Every file is read again.
     pub fn forget_prepared(&mut self) {
-        self.library.forget_prepared();
-        self.brought = None;
+        (self.library.prepared, self.brought) = (None, None);
     }
 
     /// Takes note of an attempt that has ended; what it brought the player, in words.

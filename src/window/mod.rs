@@ -131,8 +131,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         Some(Start::Test(folder, level, problems)) => {
             stack.begin(&folder, Destination::TryOut { level, problems, in_memory: false, on: None }, &mut spectator)
         }
-        Some(Start::Edit(folder, name, false)) => stack.begin(&folder, Destination::Edit { name, original: false }, &mut spectator),
-        Some(Start::Edit(folder, name, true)) => stack.begin(&folder, Destination::Edit { name, original: true }, &mut spectator),
+        Some(Start::Edit(folder, name, original)) => stack.begin(&folder, Destination::Edit { name, original }, &mut spectator),
         None => {}
     }
     let mut pads = Pads::new();

@@ -61,9 +61,6 @@ pub(super) struct Arranged {
     hidden: Vec<PictureLayer>,
 }
 
-/// A row that may get another number, by its file and place.
-type Known = (Table, Option<Place>);
-
 impl Arranged {
     pub fn shows(&self, layer: PictureLayer) -> bool {
         !self.hidden.contains(&layer)
@@ -101,12 +98,13 @@ impl Editor {
 
     /// Does something after which rows may have other numbers.
     pub(super) fn renumber(&mut self, act: impl FnOnce(&mut Self)) {
-        let known = |rows: &[RowId]| rows.iter().map(|row| (row.table, self.document.place(*row))).collect::<Vec<Known>>();
+        let known = |rows: &[RowId]| rows.iter().map(|row| (row.table, self.document.place(*row))).collect::<Vec<_>>();
         let (groups, locked) =
             (self.arranged.groups.iter().map(|group| known(group)).collect::<Vec<_>>(), known(&self.arranged.locked));
         act(self);
-        let now = |rows: &Vec<Known>| {
-            let found = |known: &Known| self.document.things().find(|(row, place)| (row.table, Some(*place)) == *known);
+        let now = |rows: &Vec<(Table, Option<Place>)>| {
+            let found =
+                |known: &(Table, Option<Place>)| self.document.things().find(|(row, place)| (row.table, Some(*place)) == *known);
             rows.iter().filter_map(|known| Some(found(known)?.0)).collect::<Vec<RowId>>()
         };
         (self.arranged.groups, self.arranged.locked) = (groups.iter().map(now).collect(), now(&locked));

@@ -141,7 +141,7 @@ impl Screen for Flight {
         // An answer that cannot be written waits in the session.
         let _ = self.write_down(session);
         if let Some(sheet) = self.open.sheet.take() {
-            session.answers.sheets.insert(sheet.folder().to_owned(), *sheet);
+            session.answers.sheets.insert(sheet.experiment.folder.clone(), *sheet);
         }
     }
 
