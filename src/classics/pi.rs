@@ -84,6 +84,7 @@ pub struct Blocks {
     time_lost: f64,
     light: f64,
     heavy: f64,
+    /// Since the last collision, m/s.
     light_velocity: f64,
     heavy_velocity: f64,
     closing: f64,
@@ -104,11 +105,6 @@ impl Blocks {
             closing: -HEAVY_VELOCITY,
             collisions: 0,
         }
-    }
-
-    /// Velocities of the light and the heavy block since the last collision, m/s.
-    pub fn velocities(&self) -> (f64, f64) {
-        (self.light_velocity, self.heavy_velocity)
     }
 
     /// Positions of the light and the heavy block at `time` (s), between the last collision and the next, m.
@@ -245,13 +241,13 @@ mod tests {
         for n in 0..=4 {
             let mut blocks = Blocks::new(n);
             for _ in 0..(1_u64 << n) {
-                let (u1, u2) = blocks.velocities();
+                let (u1, u2) = (blocks.light_velocity, blocks.heavy_velocity);
                 let (v1, v2) = elastic(1.0, u1, mass_ratio(n), u2);
                 blocks.collide();
-                let (w1, w2) = blocks.velocities();
+                let (w1, w2) = (blocks.light_velocity, blocks.heavy_velocity);
                 assert!((w1 - v1).abs() < 1e-12 * (1.0 + v1.abs()) && (w2 - v2).abs() < 1e-12, "{n}: {w1} {w2}, not {v1} {v2}");
                 blocks.collide();
-                assert_eq!(blocks.velocities(), (-w1, w2));
+                assert_eq!((blocks.light_velocity, blocks.heavy_velocity), (-w1, w2));
             }
         }
     }

@@ -19,22 +19,9 @@ pub const MAX_FALL: f64 = 0.8;
 /// The gap between a stopped runner and a solid tile. Were it 0, a stop on the right or below would lie in the solid tile.
 const GAP: f64 = 1e-6;
 
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct InputError {
-    /// Counted from 1, as an editor does.
-    pub line: usize,
-    pub message: String,
-}
-
-impl fmt::Display for InputError {
-    /// `LINE: MESSAGE`, to be put behind `FILE:`.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.line, self.message)
-    }
-}
-
-fn error(line: usize, message: impl Into<String>) -> InputError {
-    InputError { line, message: message.into() }
+/// `LINE: MESSAGE`, to be put behind `FILE:`, with lines counted from 1, as an editor does.
+fn error(line: usize, message: impl fmt::Display) -> String {
+    format!("{line}: {message}")
 }
 
 /// Numbered lines without their ends: LF or CRLF, and a byte-order mark before the first.
@@ -54,7 +41,7 @@ impl Map {
     ///
     /// # Errors
     /// The first of: another character, a second start, no start, no tiles at all.
-    pub fn parse(text: &str) -> Result<Self, InputError> {
+    pub fn parse(text: &str) -> Result<Self, String> {
         let mut solid = Vec::new();
         let mut start = None;
         for (line, row) in lines(text) {
@@ -115,7 +102,7 @@ impl Command {
     ///
     /// # Errors
     /// The first line with an unknown name, without a value, with a value that is no finite number, or with more behind it.
-    pub fn parse_all(text: &str) -> Result<Vec<Self>, InputError> {
+    pub fn parse_all(text: &str) -> Result<Vec<Self>, String> {
         let written = lines(text).filter(|(_, line)| !line.trim().is_empty());
         written.map(|(number, line)| Self::parse(line).map_err(|message| error(number, message))).collect()
     }
@@ -230,7 +217,7 @@ mod tests {
             ("#s#\r\n#. \r\n", "2: column 3: found ' ', expected '#', '.', 's' or 'S'"),
             ("#s#\n\n#é", "3: column 2: found 'é', expected '#', '.', 's' or 'S'"),
         ] {
-            assert_eq!(Map::parse(text).unwrap_err().to_string(), expected, "{text:?}");
+            assert_eq!(Map::parse(text).unwrap_err(), expected, "{text:?}");
         }
     }
 
@@ -248,7 +235,7 @@ mod tests {
             ("RIGHT 1e999", "1: RIGHT: found \"1e999\", expected a finite number"),
             ("RIGHT 1 2", "1: RIGHT 1: found \"2\" behind the value, expected the end of the line"),
         ] {
-            assert_eq!(Command::parse_all(text).unwrap_err().to_string(), expected, "{text:?}");
+            assert_eq!(Command::parse_all(text).unwrap_err(), expected, "{text:?}");
         }
     }
 

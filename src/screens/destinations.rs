@@ -24,10 +24,8 @@ use crate::files;
 use crate::game::body_title;
 use crate::level::{self, judge_name};
 use crate::physics::BodyId;
-use crate::session::Session;
 use crate::session::library::{Attempt, is_of_level, named};
-use crate::session::recordings::FlightSource;
-use crate::session::worker::Errand;
+use crate::session::{Session, recordings::FlightSource, worker::Errand};
 use crate::ui::Spectator;
 use crate::words::tr;
 use std::path::Path;
@@ -90,7 +88,10 @@ pub(super) fn open(place: Destination, session: &mut Session, spectator: &mut dy
         Destination::Score(finished) => Box::new(Scoring::open(*finished, session)),
         Destination::Board(visit) => match boards::open(visit, session) {
             Ok(board) => Box::new(board),
-            Err(unread) => unread_board(unread, session),
+            Err((subject, error)) => {
+                let heading = tr!("The scores of {subject} cannot be read", subject);
+                Box::new(LevelSelect::with_panel(Purpose::Leaderboard, heading, vec![error], session))
+            }
         },
         Destination::Flights(visit) => match session.library.load(&visit.level) {
             Ok(level) => Box::new(Flights::open(visit, &level, session)),
@@ -149,12 +150,6 @@ fn fly_folder(path: &Path, session: &mut Session, spectator: &mut dyn Spectator)
     Box::new(LevelSelect::with_panel(Purpose::Play, heading, problems, session))
 }
 
-fn unread_board((subject, error): (String, String), session: &mut Session) -> Box<dyn Screen> {
-    let heading = tr!("The scores of {subject} cannot be read", subject);
-    Box::new(LevelSelect::with_panel(Purpose::Leaderboard, heading, vec![error], session))
-}
-
-/// The target of a link.
 fn follow(link: PageLink, session: &mut Session, spectator: &mut dyn Spectator) -> Result<Box<dyn Screen>, String> {
     let (name, folder) = match link.target {
         LinkTarget::Lab(page) => {

@@ -1,19 +1,14 @@
 //! What a screen is.
 
-use crate::classics::jumper::JumperScene;
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame};
 use crate::game::{Game, RunResult};
-use crate::instruments::vary::Variation;
-use crate::level::Level;
-use crate::scores::Name;
-use crate::session::Session;
 use crate::session::library::{Attempt, Flown, NewFile};
 use crate::session::recordings::{FlightCandidate, Visit};
 use crate::session::worker::{Brought, Ticket};
-use crate::settings::Settings;
 use crate::ui::{Spectator, Ui, input::Input, pace::Motion};
 use crate::view::{GhostShip, Overlays, camera::Viewport, hud::Aside};
+use crate::{classics::jumper::JumperScene, draw::Canvas, instruments::vary::Variation, level::Level, scores::Name};
+use crate::{session::Session, settings::Settings};
 use std::any::Any;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -115,7 +110,6 @@ pub trait Screen: Any + fmt::Debug {
 }
 
 impl dyn Screen {
-    /// Whether it is of that type.
     pub fn is<T: Screen>(&self) -> bool {
         (self as &dyn Any).is::<T>()
     }
@@ -125,7 +119,6 @@ impl dyn Screen {
         (self as &dyn Any).downcast_ref()
     }
 
-    /// The screen, where it is of that type.
     pub fn get_mut<T: Screen>(&mut self) -> Option<&mut T> {
         (self as &mut dyn Any).downcast_mut()
     }
@@ -136,7 +129,6 @@ pub trait AboveGame {
     /// In the level, between the last two ticks by `alpha`, 0 … 1.
     fn draw_in_level(&self, alpha: f64, view: &Viewport, canvas: &Canvas);
 
-    /// In the strip beside the timer.
     fn draw_beside_timer(&self, aside: &Aside, canvas: &Canvas);
 }
 
@@ -164,24 +156,20 @@ pub struct GameScene<'a> {
 /// Something that was heard in a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Noise {
-    /// Somebody jumped.
     Jump,
     /// Somebody landed, this hard: 0 … 1.
     Landing(f64),
-    /// Two ran into each other.
     Bump,
     /// Two blocks collided, however often.
     Collision,
 }
 
 /// What a level is chosen for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Purpose {
-    /// To play it.
+    #[default]
     Play,
-    /// To see its leaderboard.
     Leaderboard,
-    /// To edit it.
     Edit,
 }
 
@@ -211,27 +199,14 @@ pub const PAGES: [(Page, &str); 7] = [
 /// One of the classics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Classic {
-    /// A run through a map of tiles.
     TileRun,
-    /// A climb.
     Jumper,
-    /// π from collisions.
     Pi,
-}
-
-/// A button, and where it leads.
-#[derive(Clone, Debug)]
-pub struct Onward {
-    /// The words on it.
-    pub label: &'static str,
-    /// Where it leads.
-    pub to: Request,
 }
 
 /// A folder that is to be made or named.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Make {
-    /// A new level of that name.
     New(String),
     /// A copy of the first, named like the second.
     Copy(String, String),
@@ -246,7 +221,6 @@ pub enum Make {
 pub enum OnLevel {
     /// Makes one file of it.
     Share(String),
-    /// Puts it into the bin.
     Bin(String),
     /// Takes the last one out of the bin.
     TakeBack,
@@ -298,11 +272,8 @@ pub enum Destination {
     Score(Box<Finished>),
     /// The leaderboard of a level, by its name, or of the jumper.
     Board(Visit),
-    /// The flights of a level.
     Flights(Visit),
-    /// One of them is watched.
     Watch(Visit, FlightCandidate),
-    /// Some of them are raced.
     Race(Visit, Vec<FlightCandidate>),
     Players,
     Credits,
@@ -315,9 +286,7 @@ pub enum Destination {
     Climbed(Box<JumperScene>),
     /// The Lab, with the list of experiments at the one that was left.
     Lab(Option<String>),
-    /// The experiment of that folder.
     Experiment(String),
-    /// A file that was dropped on the window.
     Dropped(PathBuf),
     /// Where a link into the game leads.
     Link(String),
@@ -331,9 +300,7 @@ pub enum Destination {
 pub enum Effect {
     /// Begins the attempt again, in the level as its files are now.
     Restart,
-    /// Makes or renames a level.
     Make(Make),
-    /// Hands a level on, or puts it away.
     OnLevel(OnLevel),
     /// Saves the level that is flown as it is varied, under that name, or any where that is empty.
     SaveVaried(Variation, String),
@@ -345,7 +312,6 @@ pub enum Effect {
     HandIn,
     /// Keeps a flight as a file.
     Keep(FlightCandidate),
-    /// Copies a flight's code.
     CopyCode(FlightCandidate),
     /// Proves a flight by its code, and lists it.
     PasteCode(String),

@@ -25,7 +25,6 @@ const TOLD_AFTER: f64 = 0.25;
 struct Loading {
     ticket: Ticket,
     request: Request,
-    /// What it is, in words.
     what: String,
     /// s.
     since: f64,
@@ -34,15 +33,12 @@ struct Loading {
 #[derive(Debug)]
 pub struct Stack {
     pub session: Session,
-    /// What is shown.
     top: Box<dyn Screen>,
     /// What [`Request::Pop`] leads back to, the next one last.
     below: Vec<Box<dyn Screen>>,
-    /// What the widgets of the screen remember.
     pub memory: Memory,
     /// The keys that another screen or another window was given.
     stale: Stale,
-    /// What the screen has shown.
     canvas: Canvas,
     /// Physical pixels a logical one.
     pub dpi: f32,
@@ -139,14 +135,12 @@ impl Stack {
         input
     }
 
-    /// The pass over the screen that acts.
     fn act(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         self.canvas.begin(input.frame, self.dpi, self.top.is::<Editor>());
         let stage = PassInput { input, canvas: &self.canvas, spectator, time: self.shown_for };
         self.memory.act(stage, |ui| self.top.show(ui))
     }
 
-    /// The passes that show the screen as it is now, with the focus where it belongs.
     fn show_frame(&mut self, input: &Input, spectator: &mut dyn Spectator) {
         let input = &Input { over: self.game_below(&input.frame).is_some(), ..input.clone() };
         for _ in 0..MOST_PASSES {
@@ -316,7 +310,6 @@ impl Stack {
         (self.memory, self.stale, self.shown_for) = (Memory::default(), self.stale.all(), 0.0);
     }
 
-    /// Takes what the worker has read.
     fn receive(&mut self, spectator: &mut dyn Spectator) {
         while let Some((ticket, brought)) = self.session.worker.bring() {
             match self.loading.take_if(|loading| loading.ticket == ticket) {

@@ -7,8 +7,7 @@ use super::library::{self, Experiment};
 use crate::game::{Game, Medals, Outcome, RunResult};
 use crate::number::{clock, hundredths};
 use crate::scores::{AttemptRow, Deed, Name, PlayerRecord, Players, ResultRow, Results, Scores, ScoresError, damage_text, time_of};
-use crate::ui::EntryField;
-use crate::words::tr;
+use crate::{ui::EntryField, words::tr};
 use std::collections::BTreeMap;
 
 /// What a lost attempt brings.
@@ -161,18 +160,16 @@ impl Journal {
     /// Why it cannot be; it still waits then.
     pub fn close(&mut self) -> Result<(), ScoresError> {
         // A list that cannot be written holds up no other.
-        let deeds = if self.deeds.is_empty() { Ok(()) } else { self.record_deeds() };
+        let deeds =
+            if self.deeds.is_empty() { Ok(()) } else { self.scores.record(&self.deeds).map(|players| self.players = players) };
+        if deeds.is_ok() {
+            self.deeds.clear();
+        }
         let attempts = self.scores.append(&self.attempts);
         if attempts.is_ok() {
             self.attempts.clear();
         }
         deeds.and(attempts)
-    }
-
-    fn record_deeds(&mut self) -> Result<(), ScoresError> {
-        self.players = self.scores.record(&self.deeds)?;
-        self.deeds.clear();
-        Ok(())
     }
 
     pub fn is_written(&self) -> bool {
@@ -283,10 +280,6 @@ impl Worksheet {
             answered: false,
             message: Ok(String::new()),
         }
-    }
-
-    pub fn folder(&self) -> &str {
-        &self.experiment.folder
     }
 
     /// Whether a prediction can still be made or changed.

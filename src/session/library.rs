@@ -7,12 +7,11 @@
 //! An experiment of the Lab, as the `experiments.csv` of their folder lists it.
 
 use super::folder_watch::FolderWatch;
-use crate::classics::tile_run::{Command, InputError, Map};
+use crate::classics::tile_run::{Command, Map};
 use crate::files::{self, CHART, CsvFile, CsvRow, EXPERIMENTS, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::game::{History, Inputs, Replay};
 use crate::instruments::reading::Wanted;
-use crate::lab::charts::Charts;
-use crate::lab::kept;
+use crate::lab::{charts::Charts, kept};
 use crate::level::{self, Landscape, Level};
 use crate::words::tr;
 use std::io;
@@ -55,8 +54,8 @@ pub struct Library {
     levels: PathBuf,
     /// A level's folder that is not one of `levels`, while that level is played or edited.
     outside: Option<PathBuf>,
-    /// The level of a folder as the worker has read it, for the screen that opens.
-    prepared: Option<(PathBuf, Result<Arc<Level>, Refusal>)>,
+    /// The level of a folder as the worker has read it, for the screen that opens: [`Library::load`] reads no file then.
+    pub prepared: Option<(PathBuf, Result<Arc<Level>, Refusal>)>,
 }
 
 impl Library {
@@ -119,16 +118,6 @@ impl Library {
     pub fn watch(&self, level: &Level) -> FolderWatch {
         let folder = self.folder(&level.name);
         FolderWatch::new(folder, level.pictures().cloned().collect())
-    }
-
-    /// Holds the level of a folder ready, so that [`Library::load`] reads no file.
-    pub fn prepare(&mut self, folder: PathBuf, level: Result<Arc<Level>, Refusal>) {
-        self.prepared = Some((folder, level));
-    }
-
-    /// Every level is read again.
-    pub fn forget_prepared(&mut self) {
-        self.prepared = None;
     }
 
     /// Reads a level.
@@ -209,12 +198,11 @@ impl Library {
     }
 }
 
-fn read<T>(path: PathBuf, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, String> {
+fn read<T>(path: PathBuf, at_most: u64, parse: impl Fn(&str) -> Result<T, String>) -> Result<T, String> {
     let text = read_text(&path, at_most).map_err(|error| format!("{}: {error}", path.display()))?;
     parse(&text).map_err(|error| format!("{}:{error}", path.display()))
 }
 
-/// The text of one file of charts in a folder.
 fn text(folder: &Path, file: &str) -> Result<String, String> {
     read_text(&folder.join(file), CHART).map_err(|error| format!("{file}: {error}"))
 }
@@ -247,7 +235,6 @@ pub struct NewFile {
     pub stem: String,
     /// Its name from there on, with the full stop.
     pub ending: &'static str,
-    /// All of it.
     pub bytes: Vec<u8>,
     /// What it is, for messages: "the flight".
     pub what: &'static str,
@@ -319,7 +306,6 @@ impl Attempt {
 pub struct Flown {
     pub level: Arc<Level>,
     pub replay: Replay,
-    /// Any tick of it.
     pub history: History,
 }
 
@@ -328,7 +314,6 @@ pub struct Flown {
 pub struct Rival {
     /// Whose it is, in a word or two.
     pub name: String,
-    /// What was pressed.
     pub inputs: Arc<Inputs>,
 }
 
@@ -342,7 +327,6 @@ pub struct Experiment {
     pub choices: Vec<String>,
     /// The right choice, or a number with its unit; empty where neither is.
     pub right: String,
-    /// The quantities that are to be found.
     pub readings: Vec<Wanted>,
     pub title: String,
 }

@@ -9,8 +9,7 @@ pub mod worker;
 
 use crate::game::{Game, Outcome};
 use crate::scores::{Name, Placement, Results, Saved, Score, Scores, unsaved_points};
-use crate::settings::Settings;
-use crate::settings::file::SettingsFile;
+use crate::settings::{Settings, file::SettingsFile};
 use crate::ui::input::Clipboard;
 use crate::words::{self, tr};
 use journal::{Answers, Journal};
@@ -44,7 +43,6 @@ pub struct Places {
     pub levels: PathBuf,
     /// A file a leaderboard.
     pub scores: PathBuf,
-    /// The file of settings.
     pub settings: PathBuf,
 }
 
@@ -52,12 +50,10 @@ pub struct Places {
 pub struct Session {
     pub places: Places,
     pub library: Library,
-    /// What reads levels.
     pub worker: Worker,
     /// What it has brought, other than a level, for the screen that is to open.
     pub brought: Option<Brought>,
     pub scores: Scores,
-    /// Who plays, and what they have done.
     pub journal: Journal,
     /// The best scores that no leaderboard has yet, and whose they are: a guest's wait for a name, the others for a file that can be written.
     unsaved: Vec<(Name, Gain)>,
@@ -74,7 +70,6 @@ pub struct Session {
     pub last_flown: Option<String>,
     /// How many menus there have been: each has other balls.
     pub menus: u64,
-    /// What is copied to be pasted.
     pub clipboard: Clipboard,
     /// Since 1970-01-01, 0 UTC, s: the time of an answer.
     pub now: f64,
@@ -142,15 +137,14 @@ impl Session {
     /// Holds ready what the worker has read, for the screen that opens.
     pub fn prepare(&mut self, brought: Brought) {
         match brought {
-            Brought::Level(folder, level) => self.library.prepare(folder, level),
+            Brought::Level(folder, level) => self.library.prepared = Some((folder, level)),
             other => self.brought = Some(other),
         }
     }
 
     /// Every file is read again.
     pub fn forget_prepared(&mut self) {
-        self.library.forget_prepared();
-        self.brought = None;
+        (self.library.prepared, self.brought) = (None, None);
     }
 
     /// Takes note of an attempt that has ended; what it brought the player, in words.

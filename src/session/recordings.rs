@@ -2,12 +2,9 @@
 
 use crate::files::{self, INPUTS, LEVEL_TABLE, read_text};
 use crate::game::{LevelHash, Outcome, Reel, Replay, TICK_RATE, level_hash};
-use crate::level::Level;
-use crate::pack;
 use crate::scores::{Board, Name, Scores};
-use crate::session::Session;
 use crate::session::library::{Attempt, Flown, NewFile, Rival};
-use crate::words::tr;
+use crate::{level::Level, pack, session::Session, words::tr};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -32,7 +29,6 @@ impl Visit {
 /// Where a flight is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FlightSource {
-    /// It was just flown.
     Flown,
     /// In a file of the level.
     Level(PathBuf),
@@ -53,7 +49,6 @@ pub struct FlightCandidate {
     pub score: Option<i64>,
     /// How long it took, s, where that is known.
     pub time: Option<f64>,
-    /// Where it is.
     pub source: FlightSource,
 }
 
@@ -72,9 +67,7 @@ impl FlightCandidate {
 /// A flight of the level's own, which stands among the rows without a rank.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoardRival {
-    /// Its name.
     pub name: &'static str,
-    /// Points.
     pub score: i64,
     /// s, where its record says it.
     pub time: Option<f64>,
@@ -174,23 +167,10 @@ pub fn read(visit: &Visit, source: &FlightSource, scores: &Scores) -> Result<Rep
             Replay::parse(&named, &text).map_err(|problems| problems.0.first().cloned().unwrap_or_default())?
         }
         FlightSource::Code(code) => Replay::from_code(code)?,
-        FlightSource::Row(file) => scores.flight(&visit.level, file).map_err(|problems| first_line(&problems))?,
+        FlightSource::Row(file) => {
+            scores.flight(&visit.level, file).map_err(|problems| problems.lines().next().unwrap_or_default().to_owned())?
+        }
     })
-}
-
-fn first_line(text: &str) -> String {
-    text.lines().next().unwrap_or_default().to_owned()
-}
-
-/// Writes a record into a folder, under a name of its own; the answer is where. What is there already with these very bytes will do.
-///
-/// # Errors
-/// Whatever the system refuses, with the place.
-pub fn keep(folder: &Path, level: &str, whose: &str, replay: &Replay) -> Result<PathBuf, String> {
-    let whose: String = whose.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
-    let stem = format!("{level}-{whose}-{}", replay.score);
-    NewFile { stem, ending: ENDING, bytes: replay.to_string().into_bytes(), what: tr("the flight"), same_up_to: INPUTS }
-        .write(folder)
 }
 
 impl Session {
@@ -242,7 +222,11 @@ impl Session {
     /// Keeps a flight as a file, and says where.
     pub fn keep_flight(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
         let replay = self.named_record(visit, candidate)?;
-        let path = keep(&self.places.root.join("flights"), &visit.level, &candidate.name, &replay)?;
+        let whose: String = candidate.name.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+        let stem = format!("{}-{whose}-{}", visit.level, replay.score);
+        let bytes = replay.to_string().into_bytes();
+        let file = NewFile { stem, ending: ENDING, bytes, what: tr("the flight"), same_up_to: INPUTS };
+        let path = file.write(&self.places.root.join("flights"))?;
         Ok(tr!("Kept as {path}", path = path.display()))
     }
 

@@ -28,14 +28,7 @@ pub enum Errand {
     /// The files of the level in a folder, to be edited.
     Editor(PathBuf, PathBuf),
     /// An archive is to be installed.
-    Install {
-        /// The archive.
-        archive: PathBuf,
-        /// The folder of levels.
-        levels: PathBuf,
-        /// The project's.
-        root: PathBuf,
-    },
+    Install { archive: PathBuf, levels: PathBuf, root: PathBuf },
     /// The names of the levels in a folder.
     List(PathBuf),
     /// The first of these levels that loads; and of the level in the last folder, if any, its flight for gold.
@@ -45,7 +38,6 @@ pub enum Errand {
 /// What a card shows of a level.
 #[derive(Clone, Debug)]
 pub struct Card {
-    /// The level's folder.
     pub folder: PathBuf,
     /// What that looked like before it was read: what is written meanwhile is seen at the next look.
     pub stamp: Stamp,
@@ -60,13 +52,9 @@ pub struct Card {
 pub enum Brought {
     /// Of [`Errand::Level`], with its folder.
     Level(PathBuf, Result<Arc<Level>, Refusal>),
-    /// Of [`Errand::Card`].
     Card(Box<Card>),
-    /// Of [`Errand::Editor`].
     Editor(Result<Box<Opened>, String>),
-    /// Of [`Errand::Install`].
     Installed(Result<(Installed, Vec<String>), Refusal>),
-    /// Of [`Errand::List`].
     List(Vec<String>),
     /// Of [`Errand::First`]: name and title, and the flight.
     First(Option<(String, String)>, Option<Box<Reel>>),
@@ -103,11 +91,6 @@ impl Errand {
                 Brought::First(first, gold.map(Box::new))
             }
         }
-    }
-
-    /// Whether a player waits for it.
-    const fn is_urgent(&self) -> bool {
-        matches!(self, Self::Level(..) | Self::Editor(..) | Self::Install { .. })
     }
 }
 
@@ -193,7 +176,8 @@ impl Worker {
     /// Asks for something; what a player waits for goes first.
     pub fn ask(&mut self, errand: Errand) -> Ticket {
         self.last += 1;
-        let (urgent, next) = (errand.is_urgent(), (self.last, errand));
+        let urgent = matches!(errand, Errand::Level(..) | Errand::Editor(..) | Errand::Install { .. });
+        let next = (self.last, errand);
         let put =
             |errands: &mut VecDeque<(Ticket, Errand)>| if urgent { errands.push_front(next) } else { errands.push_back(next) };
         match &mut self.at {

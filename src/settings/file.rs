@@ -84,7 +84,6 @@ impl TryFrom<String> for SettingRow {
     }
 }
 
-/// The cells of a row.
 #[derive(Deserialize)]
 struct SettingCells {
     setting: SettingRow,

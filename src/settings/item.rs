@@ -32,9 +32,9 @@ enum SettingField<'a> {
     Language(&'a mut Option<Language>),
 }
 
-/// The list of settings: row in the file, label, sentence, values, owner and field of [`Settings`].
+/// The list of settings: row in the file, label, sentence, values, whether it is of the manner of play, and field of [`Settings`].
 macro_rules! items {
-    ($($name:ident $setting:literal $label:literal $about:literal $values:ident $owner:ident $kind:ident $($field:ident).+;)*) => {
+    ($($name:ident $setting:literal $label:literal $about:literal $values:ident $of_play:literal $kind:ident $($field:ident).+;)*) => {
         /// Not a key.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Item {
@@ -58,8 +58,9 @@ macro_rules! items {
                 match self { $(Self::$name => $values,)* }
             }
 
-            const fn owner(self) -> Owner {
-                match self { $(Self::$name => Owner::$owner,)* }
+            /// Of the manner of play, which belongs to the player; screen and speakers belong to the room.
+            pub const fn is_of_play(self) -> bool {
+                match self { $(Self::$name => $of_play,)* }
             }
 
             const fn field(self, settings: &mut Settings) -> SettingField<'_> {
@@ -69,35 +70,24 @@ macro_rules! items {
     };
 }
 
-/// Screen and speakers belong to the room, the manner of play to the player.
-enum Owner {
-    Machine,
-    Player,
-}
-
 items! {
-    Master "volume" "Volume" "The volume of everything." VOLUME Machine Number master;
-    Effects "volume_effects" "Effects" "The volume of engine, knocks, wind, liquid and buttons." VOLUME Machine Number effects;
-    Music "volume_music" "Music" "The volume of the music." VOLUME Machine Number music;
-    Fullscreen "fullscreen" "Fullscreen (F11)" "Whether the window fills the screen." SWITCH Machine Switch fullscreen;
-    Language "language" "Language" "The language of the screens." LANGUAGES Machine Language language;
-    Scale "interface_scale" "Interface scale" "The size of words and panels." SCALE Machine Number scale;
-    Colours "colours" "Colours" "The colours that carry a meaning." COLOURS Machine Colours palette;
-    Shake "shake" "Screen shake" "How far a hit shakes the screen." HALVES Machine Number shake;
-    Flash "flash" "Flashes" "Whether hits and deaths flash." SWITCH Machine Switch flash;
-    Particles "particles" "Particles" "The share of the particles that is drawn." HALVES Machine Number particles;
-    Timer "show_timer" "Show timer" "Whether the time is shown." SWITCH Player Switch timer;
-    Velocity "show_velocity" "Velocity arrow" "Whether the ship carries an arrow of its velocity." SWITCH Player Switch velocity;
-    Speed "assist_speed" "Assist: game speed" "The game's share of real time." SPEED Player Number assists.speed;
-    LastingFuel "assist_fuel" "Assist: lasting fuel" "Whether the engine burns no fuel." SWITCH Player Switch assists.lasting_fuel;
+    Master "volume" "Volume" "The volume of everything." VOLUME false Number master;
+    Effects "volume_effects" "Effects" "The volume of engine, knocks, wind, liquid and buttons." VOLUME false Number effects;
+    Music "volume_music" "Music" "The volume of the music." VOLUME false Number music;
+    Fullscreen "fullscreen" "Fullscreen (F11)" "Whether the window fills the screen." SWITCH false Switch fullscreen;
+    Language "language" "Language" "The language of the screens." LANGUAGES false Language language;
+    Scale "interface_scale" "Interface scale" "The size of words and panels." SCALE false Number scale;
+    Colours "colours" "Colours" "The colours that carry a meaning." COLOURS false Colours palette;
+    Shake "shake" "Screen shake" "How far a hit shakes the screen." HALVES false Number shake;
+    Flash "flash" "Flashes" "Whether hits and deaths flash." SWITCH false Switch flash;
+    Particles "particles" "Particles" "The share of the particles that is drawn." HALVES false Number particles;
+    Timer "show_timer" "Show timer" "Whether the time is shown." SWITCH true Switch timer;
+    Velocity "show_velocity" "Velocity arrow" "Whether the ship carries an arrow of its velocity." SWITCH true Switch velocity;
+    Speed "assist_speed" "Assist: game speed" "The game's share of real time." SPEED true Number assists.speed;
+    LastingFuel "assist_fuel" "Assist: lasting fuel" "Whether the engine burns no fuel." SWITCH true Switch assists.lasting_fuel;
 }
 
 impl Item {
-    /// The player's, not the room's.
-    pub const fn is_of_play(self) -> bool {
-        matches!(self.owner(), Owner::Player)
-    }
-
     /// As the list shows it.
     pub fn value(self, settings: &Settings) -> String {
         match self.values() {

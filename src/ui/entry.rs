@@ -7,10 +7,9 @@
 use super::text_field::TextField;
 use super::{Touch, Ui, WidgetKind};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
-use crate::draw::{Canvas, Colour, Style};
-use crate::settings::Key;
+use crate::draw::{Colour, Style};
 use crate::view::{theme, widgets as paint};
-use crate::words::tr;
+use crate::{settings::Key, words::tr};
 
 /// From the box's edge to its text.
 const INSIDE: f32 = 0.75 * GRID;
@@ -68,6 +67,37 @@ impl EntryField {
     }
 }
 
+/// Radius of the knob, in heights of the slider.
+const KNOB: f32 = 0.26;
+/// Canvas units.
+const TRACK: f32 = 3.0;
+const MARK: f32 = 2.0;
+
+/// A slider as it stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SliderShown {
+    /// The knob's place on the track, 0 … 1.
+    pub part: f64,
+    /// The place of a mark for comparison, 0 … 1.
+    pub mark: f64,
+    /// Its colour; `None`: the slider is closed.
+    pub knob: Option<Colour>,
+}
+
+/// The player's act with a slider.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SliderMove {
+    /// To that place, 0 … 1; `goes_on` in all frames of a drag but its first.
+    To { part: f64, goes_on: bool },
+    /// +1 by the right key, −1 by the left one.
+    Step(f64),
+}
+
+/// The longest line, canvas units.
+const WIDEST: f32 = 360.0;
+/// From the pointer to the box: right of and below the arrow.
+const BESIDE: Vec2 = Vec2::new(14.0, 22.0);
+
 impl Ui<'_> {
     /// The player's act with the open entry. Call it once a pass, before the entries are shown.
     pub fn entry_event(&mut self, entry: &mut EntryField) -> Option<EntryEvent> {
@@ -116,35 +146,7 @@ impl Ui<'_> {
         canvas.text(&shown, Vec2::new(area.max().x - INSIDE, area.centre().y), style);
         pressed
     }
-}
 
-/// Radius of the knob, in heights of the slider.
-const KNOB: f32 = 0.26;
-/// Canvas units.
-const TRACK: f32 = 3.0;
-const MARK: f32 = 2.0;
-
-/// A slider as it stands.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SliderShown {
-    /// The knob's place on the track, 0 … 1.
-    pub part: f64,
-    /// The place of a mark for comparison, 0 … 1.
-    pub mark: f64,
-    /// Its colour; `None`: the slider is closed.
-    pub knob: Option<Colour>,
-}
-
-/// The player's act with a slider.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum SliderMove {
-    /// To that place, 0 … 1; `goes_on` in all frames of a drag but its first.
-    To { part: f64, goes_on: bool },
-    /// +1 by the right key, −1 by the left one.
-    Step(f64),
-}
-
-impl Ui<'_> {
     /// Its ends are inside the area by the knob's radius.
     pub fn slider(&mut self, label: &str, area: Area, shown: &SliderShown) -> Option<SliderMove> {
         let Touch { focus, .. } = self.touch(label, area, WidgetKind::Slider);
@@ -179,52 +181,36 @@ impl Ui<'_> {
         let here = self.acting && self.is_live() && area.contains(self.input.pointer);
         if here { self.input.wheel } else { 0.0 }
     }
-}
 
-/// The longest line, canvas units.
-const WIDEST: f32 = 360.0;
-/// From the pointer to the box: right of and below the arrow.
-const BESIDE: Vec2 = Vec2::new(14.0, 22.0);
-
-impl Ui<'_> {
     /// Shows these words while the pointer is in that area, and no button is down.
     pub fn tip(&mut self, area: Area, words: &str) {
-        self.note_tip(area, words, None);
+        self.tip_above(area, words, None);
     }
 
-    /// The same with the foot of its box at that height, so that it covers nothing below.
-    pub fn tip_above(&mut self, area: Area, words: &str, foot: f32) {
-        self.note_tip(area, words, Some(foot));
-    }
-
-    fn note_tip(&mut self, area: Area, words: &str, foot: Option<f32>) {
+    /// The same with the foot of its box at that height, if any, so that it covers nothing below.
+    pub fn tip_above(&mut self, area: Area, words: &str, foot: Option<f32>) {
         if self.is_live() && !self.input.holding && area.contains(self.input.pointer) {
             self.tip = Some((tr(words).to_owned(), foot));
         }
     }
 
-    /// Draws the tooltip of the pass.
+    /// Draws the tooltip of the pass: above its foot, else below the pointer, or above it where there is no room.
     pub(super) fn draw_tip(&self) {
-        if let Some((words, foot)) = &self.tip {
-            draw(self.canvas, words, (self.input.pointer, *foot));
+        let Some((words, foot)) = &self.tip else { return };
+        let (canvas, pointer) = (self.canvas, self.input.pointer);
+        let (style, line) = (Style::new(DETAILS, theme::text()), canvas.line_height(DETAILS));
+        let lines = paint::lines(canvas, words, WIDEST, style);
+        let widest = lines.iter().map(|words| canvas.width(words, style)).fold(0.0, f32::max);
+        let size = Vec2::new(widest, lines.len() as f32 * line) + Vec2::new(2.0, 1.0) * GRID;
+        let below = pointer + BESIDE;
+        let beside = if below.y + size.y > canvas.size().y { pointer.y - GRID - size.y } else { below.y };
+        let y = foot.map_or(beside, |foot| foot - size.y);
+        let most = (canvas.size() - size).max(Vec2::ZERO);
+        let area = Area { min: Vec2::new(below.x, y).clamp(Vec2::ZERO, most), size };
+        canvas.end_layer();
+        paint::panel_in(canvas, area, theme::panel_hover(), theme::solid_top());
+        for (i, words) in lines.iter().enumerate() {
+            canvas.text(words, area.min + Vec2::new(GRID, 0.5 * GRID + i as f32 * line), style);
         }
-    }
-}
-
-/// Above that foot; else below the pointer, or above it where there is no room.
-fn draw(canvas: &Canvas, words: &str, (pointer, foot): (Vec2, Option<f32>)) {
-    let (style, line) = (Style::new(DETAILS, theme::text()), canvas.line_height(DETAILS));
-    let lines = paint::lines(canvas, words, WIDEST, style);
-    let widest = lines.iter().map(|words| canvas.width(words, style)).fold(0.0, f32::max);
-    let size = Vec2::new(widest, lines.len() as f32 * line) + Vec2::new(2.0, 1.0) * GRID;
-    let below = pointer + BESIDE;
-    let beside = if below.y + size.y > canvas.size().y { pointer.y - GRID - size.y } else { below.y };
-    let y = foot.map_or(beside, |foot| foot - size.y);
-    let most = (canvas.size() - size).max(Vec2::ZERO);
-    let area = Area { min: Vec2::new(below.x, y).clamp(Vec2::ZERO, most), size };
-    canvas.end_layer();
-    paint::panel_in(canvas, area, theme::panel_hover(), theme::solid_top());
-    for (i, words) in lines.iter().enumerate() {
-        canvas.text(words, area.min + Vec2::new(GRID, 0.5 * GRID + i as f32 * line), style);
     }
 }

@@ -60,7 +60,7 @@ impl Keyboard {
         }
         match key.typed {
             Some(sign) if types(key.held) && !key.silent => self.compose(sign),
-            None if key.place.is_some_and(|place| !is_modifier(place)) => self.compose.clear(),
+            None if key.place.is_some_and(|place| !matches!(place, Key::Shift | Key::Control | Key::Alt)) => self.compose.clear(),
             _ => {}
         }
     }
@@ -146,10 +146,6 @@ pub fn place_of_code(code: &str) -> Option<Key> {
     Key::ALL.iter().copied().find(|key| key.to_string() == name)
 }
 
-fn is_modifier(key: Key) -> bool {
-    matches!(key, Key::Shift | Key::Control | Key::Alt)
-}
-
 /// Whether characters are typed with these modifiers: Ctrl with Alt is AltGr.
 fn types(held: Keys) -> bool {
     !held.has(Key::Control) || held.has(Key::Alt)
@@ -179,7 +175,7 @@ fn keys_of(key: &KeyDown) -> Keys {
 }
 
 /// Marks with what they type before a space, as in X11's tables, and twice: `'` stands on the dead key of us-intl.
-const MARKS: [(char, char, char); 16] = [
+pub const MARKS: [(char, char, char); 16] = [
     ('\u{300}', '`', '`'),
     ('\u{301}', '\'', '´'),
     ('\u{302}', '^', '^'),

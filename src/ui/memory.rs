@@ -37,14 +37,6 @@ impl WidgetKind {
         self != Self::Beyond
     }
 
-    fn keeps_sideways(self) -> bool {
-        matches!(self, Self::Choice | Self::Slider | Self::Field)
-    }
-
-    fn is_dragged(self) -> bool {
-        matches!(self, Self::Slider | Self::Knob)
-    }
-
     /// The same without the keyboard.
     pub(super) const fn by_pointer(self) -> Self {
         match self {
@@ -181,8 +173,9 @@ impl Memory {
     /// The pointer holds the dragged widget that it pressed as long as its button is down.
     fn hold(&mut self, input: &Input) {
         if input.click {
-            let pressed = self.pressed.as_deref().and_then(|label| self.find(label));
-            self.held = pressed.filter(|widget| widget.kind.is_dragged()).map(|widget| widget.label.clone());
+            let dragged = |widget: &&Widget| matches!(widget.kind, WidgetKind::Slider | WidgetKind::Knob);
+            let pressed = self.pressed.as_deref().and_then(|label| self.find(label)).filter(dragged);
+            self.held = pressed.map(|widget| widget.label.clone());
         } else if !input.holding {
             self.held = None;
         }
@@ -190,6 +183,10 @@ impl Memory {
 
     fn find(&self, label: &str) -> Option<&Widget> {
         self.shown.widgets.iter().find(|widget| widget.label == label)
+    }
+
+    fn focused_widget(&self) -> Option<&Widget> {
+        self.find(self.focused()?)
     }
 
     fn takes(&self, input: &Input, key: Key) -> bool {
@@ -215,15 +212,15 @@ impl Memory {
             return (widget.kind != WidgetKind::Field).then_some(widget.label);
         }
         self.walk(input);
-        let focused = self.focused().and_then(|label| self.find(label)).filter(|_| self.takes(input, Key::Enter));
+        let focused = self.focused_widget().filter(|_| self.takes(input, Key::Enter));
         focused.map(|widget| widget.label.clone())
     }
 
     /// Arrow keys go to the nearest widget in their direction, Tab to the next group.
     fn walk(&mut self, input: &Input) {
         for (key, direction) in [(Key::Up, Vec2::NEG_Y), (Key::Down, Vec2::Y), (Key::Left, Vec2::NEG_X), (Key::Right, Vec2::X)] {
-            let kept =
-                direction.x != 0.0 && self.focused().and_then(|label| self.find(label)).is_some_and(|it| it.kind.keeps_sideways());
+            let sideways = |it: &Widget| matches!(it.kind, WidgetKind::Choice | WidgetKind::Slider | WidgetKind::Field);
+            let kept = direction.x != 0.0 && self.focused_widget().is_some_and(sideways);
             if self.takes(input, key) && !kept {
                 self.hover = None;
                 if let Some(label) = self.neighbour(direction) {
@@ -231,7 +228,7 @@ impl Memory {
                 }
             }
         }
-        let group = self.focused().and_then(|label| self.find(label)).map_or(0, |widget| widget.group);
+        let group = self.focused_widget().map_or(0, |widget| widget.group);
         if self.takes(input, Key::Tab) && self.shown.widgets.iter().any(|widget| widget.group != group) {
             let first = |wanted: &dyn Fn(usize) -> bool| self.shown.widgets.iter().find(|widget| wanted(widget.group));
             let next = first(&|other| other == group + 1).or_else(|| first(&|_| true)).map(|widget| widget.label.clone());
@@ -241,7 +238,7 @@ impl Memory {
 
     /// The nearest widget in a direction; a widget straight ahead goes before one aside.
     fn neighbour(&self, direction: Vec2) -> Option<String> {
-        let from = self.find(self.focused()?)?.area.centre();
+        let from = self.focused_widget()?.area.centre();
         let distance = |widget: &Widget| {
             let path = widget.area.centre() - from;
             let ahead = path.dot(direction);

@@ -38,8 +38,7 @@ pub struct Ui<'a> {
     acting: bool,
     /// Whether widgets leave the keys to the screen.
     by_pointer: bool,
-    /// Words beside the pointer.
-    /// Its words, and the foot of its box where it has a place of its own.
+    /// The words beside the pointer, and the foot of its box where it has a place of its own.
     tip: Option<(String, Option<f32>)>,
 }
 

@@ -38,18 +38,15 @@ pub fn veil(shown_for: f64) -> f64 {
 /// How a screen moves by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motion {
-    /// As fast as frames come.
     Full,
     /// A little: a frame every `EASY` seconds will do.
     Easy,
-    /// Not at all.
     Still,
 }
 
 /// What becomes of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Picture {
-    /// It is drawn.
     #[default]
     Drawn,
     /// It is drawn, and kept to be shown again.

@@ -22,9 +22,7 @@ const MOST: usize = 400;
 /// What came of a frame.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reply {
-    /// That text.
     Text(String),
-    /// Nothing is wanted any more.
     Cancel,
 }
 
@@ -38,15 +36,9 @@ pub struct Prompt {
 }
 
 impl Prompt {
-    /// A panel with that heading, whose field begins with that text.
-    pub fn new(heading: impl Into<String>, text: &str) -> Self {
-        Self { heading: heading.into(), field: TextField::new(text, MOST), note: None, error: None }
-    }
-
-    /// The same with a line below its field.
-    #[must_use]
-    pub fn with_note(self, note: String) -> Self {
-        Self { note: Some(note), ..self }
+    /// A panel with that heading, whose field begins with that text, and with a line below it, if any.
+    pub fn new(heading: String, text: &str, note: Option<String>) -> Self {
+        Self { heading, field: TextField::new(text, MOST), note, error: None }
     }
 
     /// Says why the text will not do.
@@ -152,7 +144,6 @@ const NOBODY: &str = "Guest is the player who has no name yet: choose another on
 pub enum NameEntry {
     /// A name that follows the rules was submitted.
     Name(Name),
-    /// The way back was chosen.
     Back,
 }
 
@@ -195,11 +186,6 @@ impl NameField {
             return None;
         }
         judge(&self.field.text()).map(NameEntry::Name).map_err(|error| self.error = Some(error)).ok()
-    }
-
-    /// Shows what went wrong with the name.
-    pub fn refuse(&mut self, error: String) {
-        self.error = Some(error);
     }
 }
 

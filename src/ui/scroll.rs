@@ -46,7 +46,9 @@ impl Scroll {
         if let Some(line) = self.wanted.take_if(|_| page > 0) {
             self.show(line);
         }
-        self.first = self.first.min(self.furthest());
+        // Where there are pages, the first line of the last one.
+        let last_page = lines.saturating_sub(1) / page.max(1) * page;
+        self.first = self.first.min(if self.pages { last_page } else { self.last_first() });
     }
 
     /// Brings a line into view, in the middle where that can be.
@@ -128,12 +130,6 @@ impl Scroll {
 
     fn by(&mut self, lines: isize) {
         self.first = self.first.saturating_add_signed(lines).min(self.last_first());
-    }
-
-    /// The largest first line: the first one of the last page, where there are pages.
-    fn furthest(&self) -> usize {
-        let last_page = self.lines.saturating_sub(1) / self.page.max(1) * self.page;
-        if self.pages { last_page } else { self.last_first() }
     }
 
     /// The first line at which the wheel and the bar end, with a full view.

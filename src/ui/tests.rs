@@ -1,8 +1,6 @@
 use super::*;
-use crate::draw::layout::Vec2;
-use crate::draw::{Shape, Style};
-use crate::ui::input::ButtonAnswer;
-use crate::ui::text_field::TextField;
+use crate::draw::{Shape, Style, layout::Vec2};
+use crate::ui::{input::ButtonAnswer, text_field::TextField};
 
 /// A screen of one function, and its memory.
 #[derive(Default)]

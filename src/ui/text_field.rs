@@ -11,6 +11,9 @@ const KEYS: [Key; 6] = [Key::Left, Key::Right, Key::Home, Key::End, Key::Backspa
 /// With Ctrl: select all, copy, cut, paste.
 const COMMANDS: [Key; 4] = [Key::A, Key::C, Key::X, Key::V];
 
+/// Height of the caret and of the selection, in heights of the text.
+const CARET: f32 = 1.35;
+
 /// The text and its caret.
 #[derive(Clone, Debug, Default)]
 pub struct TextField {
@@ -53,11 +56,6 @@ impl TextField {
     /// The focus returns by a letter: nothing is selected.
     pub(super) fn come_back(&mut self) {
         self.left = false;
-    }
-
-    /// Selects nothing and puts the caret at the end.
-    pub fn go_to_end(&mut self) {
-        self.go(self.text.len(), false);
     }
 
     /// Follows characters and keys in order; whether the text has changed.
@@ -118,7 +116,7 @@ impl TextField {
     }
 
     /// Moves the caret; `more` extends the selection to there.
-    fn go(&mut self, to: usize, more: bool) {
+    pub fn go(&mut self, to: usize, more: bool) {
         self.caret = to.min(self.text.len());
         if !more {
             self.anchor = self.caret;
@@ -151,12 +149,7 @@ impl TextField {
     fn before_caret(&self) -> String {
         self.text[..self.caret].iter().collect()
     }
-}
 
-/// Height of the caret and of the selection, in heights of the text.
-const CARET: f32 = 1.35;
-
-impl TextField {
     /// `inside` is the padding of the box. `time` (s) makes the caret blink; `None`: the field has no focus. The caret stays in
     /// view: a text wider than the box loses its beginning.
     pub fn draw(&self, canvas: &Canvas, area: Area, (size, inside): (f32, f32), time: Option<f64>) {

@@ -30,7 +30,6 @@ pub struct Touch {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FieldEvent {
     Changed,
-    /// Enter was pressed.
     Entered,
 }
 
@@ -167,21 +166,11 @@ impl Ui<'_> {
 
     /// Characters also go to it while a button has the focus; it takes the focus then.
     pub fn field(&mut self, label: &str, area: Area, field: &mut TextField) -> Option<FieldEvent> {
-        self.text_line(label, area, field, true)
-    }
-
-    /// A field to which characters go while it has the focus alone.
-    pub fn line(&mut self, label: &str, area: Area, field: &mut TextField) -> Option<FieldEvent> {
-        self.text_line(label, area, field, false)
-    }
-
-    fn text_line(&mut self, label: &str, area: Area, field: &mut TextField, takes_all: bool) -> Option<FieldEvent> {
         let touch = self.touch(label, area, WidgetKind::Field);
         let input = self.input;
         field.note_focus(touch.focus);
         let letters = Input { pressed: Keys::default(), held: Keys::default(), ..input.clone() };
-        let taken = self.is_live() && (touch.focus || takes_all);
-        let changed = taken && field.update(if touch.focus { input } else { &letters });
+        let changed = self.is_live() && field.update(if touch.focus { input } else { &letters });
         if changed && !touch.focus {
             field.come_back();
             self.focus(Some(label));

@@ -3,7 +3,6 @@
 #[cfg(not(browser))]
 mod desktop;
 mod keyboard;
-mod pad;
 #[cfg(browser)]
 mod page;
 mod spectator;
@@ -15,22 +14,19 @@ use desktop as host;
 #[cfg(browser)]
 use page as host;
 
-use crate::draw::Canvas;
 use crate::draw::layout::{DESIGN, Frame, Vec2};
-use crate::draw::pen::WindowPen;
+use crate::draw::{Canvas, pen::WindowPen};
 use crate::level::Level;
 use crate::screens::{Destination, Places, Stack};
-use crate::session::library::Attempt;
-use crate::session::worker::Worker;
+use crate::session::{library::Attempt, worker::Worker};
 use crate::settings::Keys;
 use crate::sound::Speaker;
 use crate::ui::input::Input;
 use crate::ui::pace::{self, Picture};
 use crate::view::{art, theme};
 use crate::window::keyboard::WindowKeys;
-use crate::window::pad::Pads;
 use crate::words::{self, Language};
-use host::Instant;
+use host::{Instant, Pads};
 use macroquad::input::{
     MouseButton, is_mouse_button_down, is_mouse_button_pressed, is_quit_requested, mouse_position, mouse_wheel, prevent_quit,
 };
@@ -47,6 +43,11 @@ use std::time::Duration;
 /// How often the window is tried to open, and the time after each: an X server turns programs away for a moment while it resets.
 const ATTEMPTS: u32 = 4;
 const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(150);
+/// A stick or a trigger counts as pressed from here on, and as released again below that: between the two it stays what it is, so that
+/// a hand that trembles presses once.
+const PRESSED: f32 = 0.5;
+const RELEASED: f32 = 0.35;
+
 /// What the window opens with.
 #[derive(Clone, Debug)]
 pub enum Start {
@@ -130,8 +131,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
         Some(Start::Test(folder, level, problems)) => {
             stack.begin(&folder, Destination::TryOut { level, problems, in_memory: false, on: None }, &mut spectator)
         }
-        Some(Start::Edit(folder, name, false)) => stack.begin(&folder, Destination::Edit { name, original: false }, &mut spectator),
-        Some(Start::Edit(folder, name, true)) => stack.begin(&folder, Destination::Edit { name, original: true }, &mut spectator),
+        Some(Start::Edit(folder, name, original)) => stack.begin(&folder, Destination::Edit { name, original }, &mut spectator),
         None => {}
     }
     let mut pads = Pads::new();
@@ -209,4 +209,26 @@ fn icon() -> Icon {
         std::array::from_fn(|i| bytes[i])
     }
     Icon { small: of(16), medium: of(32), big: of(64) }
+}
+
+/// Whether something that is pressed that far is down, if it was before or not.
+fn is_down(level: f32, before: bool) -> bool {
+    level >= if before { RELEASED } else { PRESSED }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_trembling_hand_presses_once() {
+        let mut down = false;
+        let mut presses = 0;
+        for level in [0.0, 0.3, 0.52, 0.47, 0.51, 0.44, 0.6, 0.36, 0.2, 0.4] {
+            let now = is_down(level, down);
+            presses += u32::from(now && !down);
+            down = now;
+        }
+        assert_eq!((presses, down), (1, false));
+    }
 }

@@ -1,9 +1,9 @@
-//! What the window's loop asks of a browser's page; a desktop answers the same in `desktop`.
+//! What the window's loop asks of a browser's page, and its gamepads, in the standard layout; a desktop answers the same in `desktop`.
 
+use super::is_down;
 use crate::screens::{Destination, Flight, Request, Stack};
-use crate::settings::{Key, Settings};
-use crate::ui::Spectator;
-use crate::ui::input::Input;
+use crate::settings::{Key, Keys, Settings};
+use crate::ui::{Spectator, input::Input};
 use crate::web;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -12,6 +12,24 @@ pub use crate::web::Instant;
 
 pub use crate::web::language;
 pub use macroquad::miniquad::date::now;
+
+/// Which button is which of ours.
+const BUTTONS: [(usize, Key); 14] = [
+    (0, Key::PadA),
+    (1, Key::PadB),
+    (2, Key::PadX),
+    (3, Key::PadY),
+    (4, Key::PadL1),
+    (5, Key::PadR1),
+    (6, Key::PadL2),
+    (7, Key::PadR2),
+    (8, Key::PadSelect),
+    (9, Key::PadStart),
+    (12, Key::PadUp),
+    (13, Key::PadDown),
+    (14, Key::PadLeft),
+    (15, Key::PadRight),
+];
 
 /// The browser asks for a frame when it needs one.
 pub const fn pause(_: Duration) {}
@@ -49,4 +67,26 @@ pub fn begin_frame(stack: &mut Stack, input: &mut Input, spectator: &mut dyn Spe
 pub fn end_frame(rest: f64, at_risk: bool) {
     web::set_at_risk(at_risk);
     web::end_frame(rest);
+}
+
+/// All gamepads as one.
+#[derive(Default)]
+pub struct Pads(Keys);
+
+impl Pads {
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// What went down since the last frame, and what is down.
+    pub fn read(&mut self) -> (Keys, Keys) {
+        let levels = web::pads();
+        let [.., x, y] = levels;
+        let stick = [(Key::PadRight, x), (Key::PadLeft, -x), (Key::PadDown, y), (Key::PadUp, -y)];
+        let buttons = BUTTONS.map(|(button, key)| (key, levels[button]));
+        let before = std::mem::take(&mut self.0);
+        let down = buttons.into_iter().chain(stick).filter(|(key, level)| is_down(*level, before.has(*key)));
+        self.0 = down.map(|(key, _)| key).collect();
+        (self.0.less(before), self.0)
+    }
 }

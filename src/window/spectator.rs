@@ -107,9 +107,7 @@ impl WindowSpectator {
         above.draw_beside_timer(&view.hud.aside, canvas);
         canvas.use_frame(whole);
     }
-}
 
-impl WindowSpectator {
     /// Takes note of how long a frame took, s.
     pub fn note_frame(&mut self, frame_time: f64) {
         self.frame_cost += (frame_time - self.frame_cost) * FRAME_WEIGHT;

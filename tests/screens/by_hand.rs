@@ -88,7 +88,7 @@ fn heights_and_places_are_led_by_the_pointer_and_the_panel_follows() {
     let before = sitting.game().level().objects[1].position;
     drag(&mut sitting, before, DVec2::new(0.52, -1.01));
     let value = |sitting: &Sitting, parameter: Parameter| parameter.of(sitting.game().level()).unwrap();
-    let usual = sitting.flight().attempt_level().clone();
+    let usual = sitting.flight().attempt().level.clone();
     for (parameter, by) in [(Parameter::PlaceX(2), 0.52), (Parameter::PlaceY(2), 1.01)] {
         let (was, now) = (parameter.of(&usual).unwrap(), value(&sitting, parameter));
         assert!((now - was - by).abs() <= 0.05 + 1e-9 && (now * 10.0 - (now * 10.0).round()).abs() < 1e-9, "{parameter:?}: {now}");
@@ -118,7 +118,7 @@ fn the_stops_of_a_lift_are_led_up_and_down() {
     sitting.press(Key::L).press(Key::I).click("What if …");
     let end = *sitting.game().level().movers[0].stops.last().unwrap();
     drag(&mut sitting, end, DVec2::new(3.0, 2.0));
-    let (level, usual) = (sitting.game().level(), sitting.flight().attempt_level());
+    let (level, usual) = (sitting.game().level(), &sitting.flight().attempt().level);
     let value = |level: &Level| Parameter::To(0).of(level).unwrap();
     assert!((value(level) - value(usual) + 2.0).abs() <= 0.05 && level.movers[0].stops[1].x == end.x);
     assert!(sitting.labels().contains(&number(Parameter::To(0)).as_str()), "the page of the level is shown");

@@ -71,7 +71,7 @@ fn what_is_watched_is_measured_as_it_was_flown() {
         sitting.press(key);
         let (watch, ship) = (sitting.flight(), |game: &Game| game.world().bodies()[0].clone());
         let (tick, measures) = (watch.game().ticks(), watch.instruments().measures());
-        let dots: Vec<_> = measures.trail().dots(tick, 120.0).map(|dots| (dots.number, dots.places[0])).collect();
+        let dots: Vec<_> = measures.trail.dots(tick, 120.0).map(|dots| (dots.number, dots.places[0])).collect();
         assert_eq!(dots.len() as u64, tick / 12 + 1, "tick {tick}");
         assert!(tick % 12 != 0 || dots.last().map(|dot| dot.1) == Some(ship(watch.game()).position));
         let joules = 0.5 * 100.0 * ship(watch.game()).velocity.length_squared();

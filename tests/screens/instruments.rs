@@ -71,7 +71,7 @@ fn the_ruler_is_laid_taken_again_and_bound_to_bodies() {
         to(sitting, towards, false, true);
         to(sitting, towards, false, false);
     };
-    let read = |sitting: &Sitting| sitting.flight().instruments().measures().ruler().reading(sitting.game().world());
+    let read = |sitting: &Sitting| sitting.flight().instruments().measures().ruler.reading(sitting.game().world());
     assert_eq!(read(&sitting), None);
     drag(&mut sitting, (2.0, 30.0), (5.0, 26.0));
     let reading = read(&sitting).unwrap();

@@ -80,7 +80,7 @@ fn a_typed_number_is_flown_at_once_by_the_same_keys_beside_the_run_before() {
     type_in(&mut sitting, Parameter::Gravity, "3.5");
     let flight = sitting.flight();
     assert_eq!((flight.game().ticks(), flight.game().level().gravity), (before.ticks(), 3.5), "the same moment");
-    assert_eq!(flight.attempt_level().gravity, 15.0, "the level itself is as it was");
+    assert_eq!(flight.attempt().level.gravity, 15.0, "the level itself is as it was");
     let mut again = tape.fly_in(flight.game().shared_level().clone(), before.ticks()).unwrap();
     assert!(again.fly(u64::MAX));
     assert_eq!(again.done().0.hash(), flight.game().hash());

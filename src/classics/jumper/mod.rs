@@ -67,10 +67,10 @@ impl JumpKeys {
     }
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Climber {
     jump_held: bool,
-    jumped: bool,
+    pub jumped: bool,
     air_jump_left: bool,
     pub direction: f64,
     stagger: u32,
@@ -78,17 +78,9 @@ pub struct Climber {
 }
 
 impl Climber {
-    fn new() -> Self {
-        Self { jump_held: false, jumped: false, air_jump_left: false, direction: 0.0, stagger: 0, out: false }
-    }
-
     /// Whether the view has left this player behind.
     pub fn is_out(&self) -> bool {
         self.out
-    }
-
-    pub fn has_jumped(&self) -> bool {
-        self.jumped
     }
 
     fn obey(&mut self, keys: JumpKeys, body: &mut Dynamic) {
@@ -154,7 +146,7 @@ impl JumperScene {
         tower.grow_to(VISIBLE + 1.0);
         Self {
             tower,
-            players: starts.iter().map(|_| Climber::new()).collect(),
+            players: starts.iter().map(|_| Climber::default()).collect(),
             bodies: starts.iter().map(body).collect(),
             bottom: 0.0,
             previous_bottom: 0.0,

@@ -58,18 +58,11 @@ impl Flights {
         };
         let folder = session.places.levels.join(&visit.level);
         let candidates = recordings::candidates(&visit, &folder, &board, session.journal.current());
-        let mut screen = Self::new(visit, subject(&level.name, &level.title), candidates);
-        if let Some(problem) = problem {
-            screen.refuse(problem);
-        }
-        screen
-    }
-
-    pub fn new(visit: Visit, subject: String, candidates: Vec<FlightCandidate>) -> Self {
-        let read = vec![false; candidates.len()];
+        let (read, subject) = (vec![false; candidates.len()], subject(&level.name, &level.title));
         let wanted = |candidate: &FlightCandidate| matches!(&candidate.source, FlightSource::Row(file) if Some(file) == visit.chosen.as_ref());
         let chosen = candidates.iter().position(wanted).unwrap_or(0);
-        Self { visit, subject, read, candidates, marked: Vec::new(), chosen, shown: 0..PAGE, message: None }
+        let message = problem.map(|problem| (problem, true));
+        Self { visit, subject, read, candidates, marked: Vec::new(), chosen, shown: 0..PAGE, message }
     }
 
     /// Those that would be raced: the marked ones, or the one that is chosen.

@@ -2,20 +2,15 @@
 
 pub mod flights;
 
-use crate::classics::jumper::LEADERBOARD;
 use crate::draw::layout::{Area, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Medal, Prize};
-use crate::number::clock;
 use crate::scores::{Board, LoadedBoard, Name, damage_text, subject};
-use crate::screens::classics::jumper;
-use crate::screens::screen::{Classic, Destination, Onward, Purpose, Request, Screen};
-use crate::session::Session;
+use crate::screens::screen::{Classic, Destination, Purpose, Request, Screen};
 use crate::session::recordings::{self, BoardRival, Visit};
-use crate::settings::Key;
 use crate::ui::{Turning, Ui, scroll::bar_beside};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{classics::jumper::LEADERBOARD, number::clock, screens::classics::jumper, session::Session, settings::Key, words::tr};
 use std::ops::Range;
 
 const PAGE: usize = 10;
@@ -57,37 +52,10 @@ pub struct Leaderboard {
     /// What is wrong with the scores file.
     damage: Option<String>,
     /// Where its buttons lead; the last one is Back.
-    onward: Vec<Onward>,
+    onward: Vec<(&'static str, Request)>,
 }
 
 impl Leaderboard {
-    /// A board of that subject, for who plays; `onward` are its buttons, of which there is one at least.
-    pub fn new(subject: String, board: Board, player: Name, damage: Option<String>, onward: Vec<Onward>) -> Self {
-        let (rivals, lines, shown) = (Vec::new(), Vec::new(), 0..PAGE);
-        let mut screen = Self { subject, board, rivals, lines, shown, level: None, player, damage, onward };
-        screen.sort_in();
-        screen
-    }
-
-    /// The same as a level's board, with the level's own flights.
-    #[must_use]
-    pub fn of_level(mut self, level: &str, mut rivals: Vec<BoardRival>) -> Self {
-        rivals.sort_by_key(|rival| std::cmp::Reverse(rival.score));
-        (self.level, self.rivals) = (Some(level.to_owned()), rivals);
-        self.sort_in();
-        self
-    }
-
-    /// Puts each rival behind the rows that are worth as much.
-    fn sort_in(&mut self) {
-        let rows = self.board.rows();
-        let mut lines: Vec<BoardLine> = (0..rows.len()).map(BoardLine::Row).collect();
-        for (number, rival) in self.rivals.iter().enumerate().rev() {
-            lines.insert(rows.partition_point(|row| row.score >= rival.score), BoardLine::Rival(number));
-        }
-        self.lines = lines;
-    }
-
     fn in_view(&self) -> &[BoardLine] {
         self.lines.get(self.shown.clone()).unwrap_or_default()
     }
@@ -109,8 +77,13 @@ impl Leaderboard {
         if self.lines.is_empty() {
             return show_empty(ui, panel);
         }
-        self.show_head(ui, panel);
         let quiet = Style::new(TEXT, theme::quiet()).middle();
+        let time = if self.level.is_some() { tr("Time") } else { "" };
+        let heads =
+            [(tr("Rank"), 0, quiet.right()), (tr("Name"), 1, quiet), (time, 3, quiet.right()), (tr("Score"), 4, quiet.right())];
+        for (head, column, style) in heads {
+            ui.text(head, panel.min + Vec2::new(COLUMNS[column], HEAD / 2.0 + 2.0), style);
+        }
         for (at, line) in self.in_view().iter().enumerate() {
             let top = Vec2::new(panel.min.x, rows + at as f32 * ROW);
             match *line {
@@ -132,17 +105,6 @@ impl Leaderboard {
         }
     }
 
-    fn show_head(&self, ui: &Ui<'_>, panel: Area) {
-        let column = |i: usize| panel.min + Vec2::new(COLUMNS[i], HEAD / 2.0 + 2.0);
-        let quiet = Style::new(TEXT, theme::quiet()).middle();
-        ui.text(tr("Rank"), column(0), quiet.right());
-        ui.text(tr("Name"), column(1), quiet);
-        ui.text(tr("Score"), column(4), quiet.right());
-        if self.level.is_some() {
-            ui.text(tr("Time"), column(3), quiet.right());
-        }
-    }
-
     fn show_row(&self, canvas: &Canvas, index: usize, area: Area) {
         let row = &self.board.rows()[index];
         if self.own() == Some(index) {
@@ -157,7 +119,8 @@ impl Leaderboard {
         let size = if score.len() > DIGITS { DETAILS } else { TEXT };
         canvas.text(&score, column(4), Style { size, ..style }.right());
         if self.board.flight(index).is_some() {
-            play_mark(canvas, Vec2::new(area.min.x + MARK, area.centre().y));
+            let corner = |x: f32, y: f32| Vec2::new(area.min.x + MARK, area.centre().y) + Vec2::new(x, y) * MARK_SIZE;
+            canvas.triangle([corner(-0.7, -1.0), corner(-0.7, 1.0), corner(1.0, 0.0)], theme::accent());
         }
         match self.board.time(index) {
             _ if self.level.is_none() => {}
@@ -181,33 +144,31 @@ impl Leaderboard {
 /// The board of a level, with what was just flown there, or of the jumper.
 /// Errors: what it is of, and why it cannot be read.
 pub fn open(visit: Visit, session: &mut Session) -> Result<Leaderboard, (String, String)> {
-    let name = visit.level.clone();
-    let level = (name != LEADERBOARD).then(|| session.library.load(&name).ok()).flatten();
+    let (name, of_level) = (visit.level.clone(), visit.level != LEADERBOARD);
+    let level = of_level.then(|| session.library.load(&name).ok()).flatten();
     let title = level.as_ref().map_or(&name, |level| &level.title);
-    let of = if name == LEADERBOARD { tr(jumper::SUBJECT).to_owned() } else { subject(&name, title) };
+    let subject = if of_level { subject(&name, title) } else { tr(jumper::SUBJECT).to_owned() };
     let LoadedBoard { board, damage } = match session.scores.load(&name) {
         Ok(loaded) => loaded,
-        Err(error) => return Err((of, error.to_string())),
+        Err(error) => return Err((subject, error.to_string())),
     };
     let damage = (!damage.is_empty()).then(|| damage_text(&damage));
-    let play = || Onward { label: "Play", to: Request::Reset(Destination::Play(name.clone())) };
+    let play = || ("Play", Request::Reset(Destination::Play(name.clone())));
     let play = (board.rows().is_empty() && level.is_some() && visit.flown.is_none()).then(play);
-    let flights = level.iter().map(|_| Onward { label: "Flights", to: Request::Push(Destination::Flights(visit.clone())) });
-    let onward = play.into_iter().chain(flights).chain([Onward { label: "Back", to: Request::Pop }]).collect();
-    let player = session.journal.current().clone();
-    let screen = Leaderboard::new(of, board, player, damage, onward);
-    if name == LEADERBOARD {
-        return Ok(screen);
+    let flights = level.iter().map(|_| ("Flights", Request::Push(Destination::Flights(visit.clone()))));
+    let onward = play.into_iter().chain(flights).chain([("Back", Request::Pop)]).collect();
+    let mut rivals = level.map(|level| recordings::rivals(&session.library.folder(&name), &level)).unwrap_or_default();
+    rivals.sort_by_key(|rival| std::cmp::Reverse(rival.score));
+    let mut lines: Vec<BoardLine> = (0..board.rows().len()).map(BoardLine::Row).collect();
+    // Each rival behind the rows that are worth as much.
+    for (number, rival) in rivals.iter().enumerate().rev() {
+        lines.insert(board.rows().partition_point(|row| row.score >= rival.score), BoardLine::Rival(number));
     }
-    let rivals = level.map(|level| recordings::rivals(&session.library.folder(&name), &level)).unwrap_or_default();
-    session.last_level = Some(name.clone());
-    Ok(screen.of_level(&name, rivals))
-}
-
-/// The sign of a flight that can be played.
-fn play_mark(canvas: &Canvas, middle: Vec2) {
-    let corner = |x: f32, y: f32| middle + Vec2::new(x, y) * MARK_SIZE;
-    canvas.triangle([corner(-0.7, -1.0), corner(-0.7, 1.0), corner(1.0, 0.0)], theme::accent());
+    if of_level {
+        session.last_level = Some(name.clone());
+    }
+    let (player, level) = (session.journal.current().clone(), of_level.then_some(name));
+    Ok(Leaderboard { subject, board, rivals, lines, shown: 0..PAGE, level, player, damage, onward })
 }
 
 impl Screen for Leaderboard {
@@ -220,15 +181,15 @@ impl Screen for Leaderboard {
         let message = Vec2::new(size.x / 2.0, panel.min.y - 24.0);
         ui.fitted(self.damage.as_deref().unwrap_or_default(), message, &[TEXT], theme::bad());
         self.show_lines(ui, panel);
-        let labels: Vec<&str> = self.onward.iter().map(|next| next.label).collect();
+        let labels: Vec<&str> = self.onward.iter().map(|(label, _)| *label).collect();
         let pressed = ui.row(panel.max().y + FOOT, &labels);
         if let Some(flights) = self.clicked(ui, panel) {
             return Some(flights);
         }
         if ui.key(Key::Escape) {
-            return self.onward.last().map(|next| next.to.clone());
+            return self.onward.last().map(|(_, to)| to.clone());
         }
-        self.onward.iter().find(|next| Some(next.label) == pressed).map(|next| next.to.clone())
+        self.onward.iter().find(|(label, _)| Some(*label) == pressed).map(|(_, to)| to.clone())
     }
 
     fn lies_over(&self) -> bool {

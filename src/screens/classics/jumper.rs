@@ -9,8 +9,7 @@ use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::session::{Gain, Session, recordings::Visit};
 use crate::settings::{Key, Keys};
 use crate::ui::input::{Input, KeyLatch};
-use crate::ui::pace::Motion;
-use crate::ui::{Spectator, Ui};
+use crate::ui::{Spectator, Ui, pace::Motion};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
@@ -31,21 +30,23 @@ const BACK: &str = "Back";
 /// Above the panel's first button: its heading and the height.
 const HEAD: f32 = 96.0;
 
+/// Below the view's lower edge, canvas units: the ground, or what is left behind.
+const FOOT: f32 = 24.0;
+/// Heights that the ruler names, m.
+const RULER_STEP: i64 = 5;
+
 #[derive(Debug)]
 pub struct Jumper {
     /// The climb; before the first one a tower to look at.
     pub scene: JumperScene,
-    /// The panel above the climb, while it is open.
     panel: Option<ClimbPanel>,
     clock: Clock,
     latch: KeyLatch,
     /// How long the screen has been there, s: a tower's seed, so that each sitting has its own towers.
     shown_for: f64,
-    /// What was heard in the last frame.
     noises: Vec<Noise>,
 }
 
-/// Buttons above a climb that stands still.
 #[derive(Debug)]
 struct ClimbPanel {
     heading: &'static str,
@@ -102,7 +103,7 @@ impl Jumper {
         let before: Vec<_> = self.scene.players().map(|(_, body)| (body.on_ground, body.velocity.z)).collect();
         self.scene.tick(held(self.latch.take(), self.is_of_two()));
         for ((player, body), (stood, rising)) in self.scene.players().zip(before) {
-            if player.has_jumped() {
+            if player.jumped {
                 self.noises.push(Noise::Jump);
             } else if body.on_ground && !stood {
                 self.noises.push(Noise::Landing((-rising / HARD).clamp(0.0, 1.0)));
@@ -154,66 +155,8 @@ impl Jumper {
         }
         None
     }
-}
 
-/// Who holds what: alone, either half of the keyboard will do.
-fn held(keys: Keys, two: bool) -> [JumpKeys; 2] {
-    let letters = JumpKeys { left: keys.has_place(Key::A), right: keys.has_place(Key::D), jump: keys.has_place(Key::W) };
-    let arrows = JumpKeys { left: keys.has(Key::Left), right: keys.has(Key::Right), jump: keys.has(Key::Up) };
-    if two {
-        return [letters, arrows];
-    }
-    let either = JumpKeys {
-        left: letters.left || arrows.left,
-        right: letters.right || arrows.right,
-        jump: letters.jump || arrows.jump || keys.has(Key::Space),
-    };
-    [either, JumpKeys::default()]
-}
-
-impl Screen for Jumper {
-    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        self.shown_for += ui.input().frame_time;
-        // The passes that show take no time.
-        if ui.input().frame_time > 0.0 {
-            self.noises.clear();
-        }
-        self.draw(ui.canvas());
-        if self.panel.is_some() { self.show_panel(ui) } else { self.go_on(ui) }
-    }
-
-    fn come_back(&mut self, _: &dyn Screen, session: &mut Session, _: &mut dyn Spectator) {
-        *self = Self::ended(self.scene.clone(), session);
-    }
-
-    fn parent(&self) -> Destination {
-        Destination::Classics(Some(Classic::Jumper))
-    }
-
-    fn motion(&self, _: &Input) -> Motion {
-        Motion::Full
-    }
-
-    fn tune(&self) -> Option<&str> {
-        Some("jumper")
-    }
-
-    fn noises(&self) -> Vec<Noise> {
-        self.noises.clone()
-    }
-}
-
-/// The colour of each player; the number above them tells them apart without it.
-fn colour_of(player: usize) -> Colour {
-    if player == 0 { theme::accent() } else { theme::text() }
-}
-/// Below the view's lower edge, canvas units: the ground, or what is left behind.
-const FOOT: f32 = 24.0;
-/// Heights that the ruler names, m.
-const RULER_STEP: i64 = 5;
-
-impl Jumper {
-    pub(super) fn draw(&self, canvas: &Canvas) {
+    fn draw(&self, canvas: &Canvas) {
         let view = View::new(canvas, self.scene.view_bottom(self.clock.alpha()));
         widgets::graph_paper(canvas);
         self.draw_tower(canvas, &view);
@@ -318,6 +261,57 @@ impl Jumper {
     }
 }
 
+/// Who holds what: alone, either half of the keyboard will do.
+fn held(keys: Keys, two: bool) -> [JumpKeys; 2] {
+    let letters = JumpKeys { left: keys.has_place(Key::A), right: keys.has_place(Key::D), jump: keys.has_place(Key::W) };
+    let arrows = JumpKeys { left: keys.has(Key::Left), right: keys.has(Key::Right), jump: keys.has(Key::Up) };
+    if two {
+        return [letters, arrows];
+    }
+    let either = JumpKeys {
+        left: letters.left || arrows.left,
+        right: letters.right || arrows.right,
+        jump: letters.jump || arrows.jump || keys.has(Key::Space),
+    };
+    [either, JumpKeys::default()]
+}
+
+impl Screen for Jumper {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        self.shown_for += ui.input().frame_time;
+        // The passes that show take no time.
+        if ui.input().frame_time > 0.0 {
+            self.noises.clear();
+        }
+        self.draw(ui.canvas());
+        if self.panel.is_some() { self.show_panel(ui) } else { self.go_on(ui) }
+    }
+
+    fn come_back(&mut self, _: &dyn Screen, session: &mut Session, _: &mut dyn Spectator) {
+        *self = Self::ended(self.scene.clone(), session);
+    }
+
+    fn parent(&self) -> Destination {
+        Destination::Classics(Some(Classic::Jumper))
+    }
+
+    fn motion(&self, _: &Input) -> Motion {
+        Motion::Full
+    }
+
+    fn tune(&self) -> Option<&str> {
+        Some("jumper")
+    }
+
+    fn noises(&self) -> Vec<Noise> {
+        self.noises.clone()
+    }
+}
+
+/// The colour of each player; the number above them tells them apart without it.
+fn colour_of(player: usize) -> Colour {
+    if player == 0 { theme::accent() } else { theme::text() }
+}
 /// The part of the tower that is in view: the canvas' height but for its foot, in the middle of its width.
 struct View {
     bottom: f64,

@@ -6,10 +6,8 @@ pub mod tile_run;
 
 use crate::draw::layout::{TEXT, Vec2};
 use crate::screens::screen::{Classic, Destination, Request, Screen};
-use crate::settings::Key;
-use crate::ui::Ui;
 use crate::view::theme;
-use crate::words::tr;
+use crate::{settings::Key, ui::Ui, words::tr};
 
 /// The classics, the words on their buttons, and what each is.
 const ALL: [(Classic, &str, &str); 3] = [

@@ -3,12 +3,10 @@
 use crate::classics::pi::{Blocks, MAX_N, mass_ratio};
 use crate::draw::layout::{Area, BUTTON_TEXT, MONO_ADVANCE, TEXT, TITLE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::number;
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
-use crate::settings::Key;
 use crate::ui::{Ui, input::Input, pace::Motion};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{number, settings::Key, words::tr};
 
 /// Seconds of the scene a second, from the slowest to the fastest; it begins with the real one.
 const SPEEDS: [f64; 6] = [0.01, 0.05, 0.25, 1.0, 2.0, 4.0];
@@ -22,6 +20,17 @@ const MOST_A_FRAME: u64 = 300_000;
 pub const DIGITS: &str = "3141592653";
 /// N at the start.
 const FIRST_N: u32 = 2;
+
+/// How long the counter shows that there was a collision, s.
+const FLASH: f64 = 0.12;
+/// From the canvas' left edge to the wall's face.
+const WALL: f32 = 64.0;
+/// From the canvas' foot to the floor.
+const FLOOR: f32 = 136.0;
+/// Canvas units a metre of distance.
+const METRE: f32 = 300.0;
+/// Canvas units a unit of the blocks' sides, |log₁₀(mass + 10)|: the largest block, 18 of them, leaves room for the counter.
+const SIDE: f32 = 19.0;
 
 /// The buttons, and the key of each.
 const TOOLS: [(&str, Key, &str); 6] = [
@@ -79,54 +88,8 @@ impl Pi {
         self.time = if self.behind { self.blocks.time } else { until };
         self.quiet_for = if made > 0 { 0.0 } else { self.quiet_for + frame_time };
     }
-}
 
-impl Screen for Pi {
-    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        self.draw(ui.canvas());
-        match ui.tools(&TOOLS) {
-            Some("Back") => return Some(Request::Pop),
-            Some("Restart") => self.restart(self.n),
-            Some("N − 1") if self.n > 0 => self.restart(self.n - 1),
-            Some("N + 1") if self.n < MAX_N => self.restart(self.n + 1),
-            Some("Slower") => self.speed = self.speed.saturating_sub(1),
-            Some("Faster") => self.speed = (self.speed + 1).min(SPEEDS.len() - 1),
-            Some(_) | None => {}
-        }
-        self.advance(ui.input().frame_time);
-        None
-    }
-
-    fn parent(&self) -> Destination {
-        Destination::Classics(Some(Classic::Pi))
-    }
-
-    fn motion(&self, _: &Input) -> Motion {
-        Motion::Full
-    }
-
-    fn tune(&self) -> Option<&str> {
-        Some("pi")
-    }
-
-    fn noises(&self) -> Vec<Noise> {
-        if self.quiet_for == 0.0 { vec![Noise::Collision] } else { Vec::new() }
-    }
-}
-
-/// How long the counter shows that there was a collision, s.
-const FLASH: f64 = 0.12;
-/// From the canvas' left edge to the wall's face.
-const WALL: f32 = 64.0;
-/// From the canvas' foot to the floor.
-const FLOOR: f32 = 136.0;
-/// Canvas units a metre of distance.
-const METRE: f32 = 300.0;
-/// Canvas units a unit of the blocks' sides, |log₁₀(mass + 10)|: the largest block, 18 of them, leaves room for the counter.
-const SIDE: f32 = 19.0;
-
-impl Pi {
-    pub(super) fn draw(&self, canvas: &Canvas) {
+    fn draw(&self, canvas: &Canvas) {
         widgets::graph_paper(canvas);
         self.draw_blocks(canvas);
         self.draw_counter(canvas);
@@ -192,12 +155,46 @@ impl Pi {
         let bar = Area::new(middle - width / 2.0, 156.0, width, 4.0);
         canvas.rounded(bar, 2.0, theme::accent().faded(0.15 + 0.85 * flash));
         let digits = &DIGITS[..counter.len()];
+        let of_pi = if counter.len() == 1 { tr("digit").to_owned() } else { tr!("{digits} digits", digits = counter.len()) };
         let words = match (self.blocks.next_time(), self.behind) {
-            (None, _) => tr!("No more will come: the first {digits} of π", digits = plural(counter.len())),
+            (None, _) => tr!("No more will come: the first {digits} of π", digits = of_pi),
             (Some(_), true) => tr("More than a frame can hold: time waits for them").to_owned(),
             (Some(_), false) => format!("π = {}{}{}…", &digits[..1], if self.n > 0 { "." } else { "" }, &digits[1..]),
         };
         canvas.text(&words, Vec2::new(middle, 184.0), quiet);
+    }
+}
+
+impl Screen for Pi {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        self.draw(ui.canvas());
+        match ui.tools(&TOOLS) {
+            Some("Back") => return Some(Request::Pop),
+            Some("Restart") => self.restart(self.n),
+            Some("N − 1") if self.n > 0 => self.restart(self.n - 1),
+            Some("N + 1") if self.n < MAX_N => self.restart(self.n + 1),
+            Some("Slower") => self.speed = self.speed.saturating_sub(1),
+            Some("Faster") => self.speed = (self.speed + 1).min(SPEEDS.len() - 1),
+            Some(_) | None => {}
+        }
+        self.advance(ui.input().frame_time);
+        None
+    }
+
+    fn parent(&self) -> Destination {
+        Destination::Classics(Some(Classic::Pi))
+    }
+
+    fn motion(&self, _: &Input) -> Motion {
+        Motion::Full
+    }
+
+    fn tune(&self) -> Option<&str> {
+        Some("pi")
+    }
+
+    fn noises(&self) -> Vec<Noise> {
+        if self.quiet_for == 0.0 { vec![Noise::Collision] } else { Vec::new() }
     }
 }
 
@@ -206,14 +203,9 @@ fn side(mass: f64) -> f32 {
     (mass + 10.0).log10().abs() as f32
 }
 
-/// 10 to that power, as people write it.
 fn power(exponent: u32) -> String {
     match exponent {
         0..=4 => 10_u64.pow(exponent).to_string(),
         _ => number::power(exponent.cast_signed()),
     }
-}
-
-fn plural(digits: usize) -> String {
-    if digits == 1 { tr("digit").to_owned() } else { tr!("{digits} digits", digits) }
 }

@@ -3,15 +3,12 @@
 use crate::classics::tile_run::{Command, MAX_FALL, Map, Runner};
 use crate::draw::layout::{Area, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
-use crate::game::Clock;
-use crate::number::fixed;
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::settings::{Key, Keys};
-use crate::ui::Ui;
 use crate::ui::input::{Input, KeyLatch};
-use crate::ui::pace::Motion;
+use crate::ui::{Ui, pace::Motion};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{game::Clock, number::fixed, words::tr};
 use std::collections::VecDeque;
 
 /// Frames of the tile run a second: at twice as many it is too fast for fingers.
@@ -22,6 +19,13 @@ const PUSH: f64 = 0.1;
 const JUMP: f64 = 0.6;
 /// How many of the last places the trail shows.
 const TRAIL: usize = 90;
+
+/// From the canvas' edges to the map, and from its top to it.
+const MARGIN: Vec2 = Vec2::new(32.0, 136.0);
+/// Kept free below the map.
+const FOOT: f32 = 104.0;
+/// The runner's radius, tiles. It stands on its point, which is what the map's tiles stop.
+const RUNNER: f64 = 0.3;
 
 #[derive(Debug)]
 pub struct TileRun {
@@ -37,7 +41,6 @@ pub struct TileRun {
     last_command: Option<Command>,
     clock: Clock,
     latch: KeyLatch,
-    /// What was heard in the last frame of the screen.
     noises: Vec<Noise>,
 }
 
@@ -59,7 +62,6 @@ impl TileRun {
         }
     }
 
-    /// Lets the run go on by a frame of the screen.
     fn go_on(&mut self, input: &Input) {
         self.latch.frame(input);
         if self.paused {
@@ -109,64 +111,8 @@ impl TileRun {
             (_, _) => Command::Wait,
         }
     }
-}
 
-impl Screen for TileRun {
-    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
-        // The passes that show take no time.
-        if ui.input().frame_time > 0.0 {
-            self.noises.clear();
-        }
-        self.draw(ui.canvas());
-        let (other, pause) = (if self.watching { "Play" } else { "Watch" }, if self.paused { "Go on" } else { "Pause" });
-        let tools = [
-            ("Back", Key::Escape, "Esc"),
-            ("Restart", Key::R, "R"),
-            (other, Key::Tab, "Tab"),
-            (pause, Key::Space, "Space"),
-            ("Step", Key::Right, "→"),
-        ];
-        match ui.tools(if self.watching { &tools } else { &tools[..3] }) {
-            Some("Back") => return Some(Request::Pop),
-            Some("Restart") => self.restart(self.watching),
-            Some("Step") => {
-                self.paused = true;
-                self.run_frame();
-            }
-            Some("Pause" | "Go on") => self.paused = !self.paused,
-            Some(_) => self.restart(!self.watching),
-            None => {}
-        }
-        self.go_on(ui.input());
-        None
-    }
-
-    fn parent(&self) -> Destination {
-        Destination::Classics(Some(Classic::TileRun))
-    }
-
-    fn motion(&self, _: &Input) -> Motion {
-        if self.paused { Motion::Still } else { Motion::Full }
-    }
-
-    fn tune(&self) -> Option<&str> {
-        Some("tile run")
-    }
-
-    fn noises(&self) -> Vec<Noise> {
-        self.noises.clone()
-    }
-}
-
-/// From the canvas' edges to the map, and from its top to it.
-const MARGIN: Vec2 = Vec2::new(32.0, 136.0);
-/// Kept free below the map.
-const FOOT: f32 = 104.0;
-/// The runner's radius, tiles. It stands on its point, which is what the map's tiles stop.
-const RUNNER: f64 = 0.3;
-
-impl TileRun {
-    pub(super) fn draw(&self, canvas: &Canvas) {
+    fn draw(&self, canvas: &Canvas) {
         let rows = self.map.rows();
         let tiles = Vec2::new(rows.iter().map(Vec::len).max().unwrap_or(1) as f32, rows.len() as f32);
         let room = canvas.size() - 2.0 * MARGIN + Vec2::new(0.0, MARGIN.y - FOOT);
@@ -263,6 +209,53 @@ impl TileRun {
             command = format_args!("{:<11}", self.last_command.map_or_else(String::new, words))
         );
         canvas.text(&figures, Vec2::new(middle, 112.0), style.mono().centred());
+    }
+}
+
+impl Screen for TileRun {
+    fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        // The passes that show take no time.
+        if ui.input().frame_time > 0.0 {
+            self.noises.clear();
+        }
+        self.draw(ui.canvas());
+        let (other, pause) = (if self.watching { "Play" } else { "Watch" }, if self.paused { "Go on" } else { "Pause" });
+        let tools = [
+            ("Back", Key::Escape, "Esc"),
+            ("Restart", Key::R, "R"),
+            (other, Key::Tab, "Tab"),
+            (pause, Key::Space, "Space"),
+            ("Step", Key::Right, "→"),
+        ];
+        match ui.tools(if self.watching { &tools } else { &tools[..3] }) {
+            Some("Back") => return Some(Request::Pop),
+            Some("Restart") => self.restart(self.watching),
+            Some("Step") => {
+                self.paused = true;
+                self.run_frame();
+            }
+            Some("Pause" | "Go on") => self.paused = !self.paused,
+            Some(_) => self.restart(!self.watching),
+            None => {}
+        }
+        self.go_on(ui.input());
+        None
+    }
+
+    fn parent(&self) -> Destination {
+        Destination::Classics(Some(Classic::TileRun))
+    }
+
+    fn motion(&self, _: &Input) -> Motion {
+        if self.paused { Motion::Still } else { Motion::Full }
+    }
+
+    fn tune(&self) -> Option<&str> {
+        Some("tile run")
+    }
+
+    fn noises(&self) -> Vec<Noise> {
+        self.noises.clone()
     }
 }
 

@@ -3,14 +3,11 @@
 
 use super::layout::INSIDE;
 use super::{Editor, EditorPass};
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, Vec2};
 use crate::level::document::{Kind, Place, RowId, SetCell, Table};
-use crate::physics::DVec2;
-use crate::settings::Key;
 use crate::ui::{Ui, WidgetKind, input::Input};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Canvas, physics::DVec2, settings::Key, words::tr};
 
 /// A button of the strip, canvas units.
 const BUTTON: Vec2 = Vec2::new(26.0, 24.0);
@@ -64,9 +61,6 @@ pub(super) struct Arranged {
     hidden: Vec<PictureLayer>,
 }
 
-/// A row that may get another number, by its file and place.
-type Known = (Table, Option<Place>);
-
 impl Arranged {
     pub fn shows(&self, layer: PictureLayer) -> bool {
         !self.hidden.contains(&layer)
@@ -104,12 +98,13 @@ impl Editor {
 
     /// Does something after which rows may have other numbers.
     pub(super) fn renumber(&mut self, act: impl FnOnce(&mut Self)) {
-        let known = |rows: &[RowId]| rows.iter().map(|row| (row.table, self.document.place(*row))).collect::<Vec<Known>>();
+        let known = |rows: &[RowId]| rows.iter().map(|row| (row.table, self.document.place(*row))).collect::<Vec<_>>();
         let (groups, locked) =
             (self.arranged.groups.iter().map(|group| known(group)).collect::<Vec<_>>(), known(&self.arranged.locked));
         act(self);
-        let now = |rows: &Vec<Known>| {
-            let found = |known: &Known| self.document.things().find(|(row, place)| (row.table, Some(*place)) == *known);
+        let now = |rows: &Vec<(Table, Option<Place>)>| {
+            let found =
+                |known: &(Table, Option<Place>)| self.document.things().find(|(row, place)| (row.table, Some(*place)) == *known);
             rows.iter().filter_map(|known| Some(found(known)?.0)).collect::<Vec<RowId>>()
         };
         (self.arranged.groups, self.arranged.locked) = (groups.iter().map(now).collect(), now(&locked));
@@ -156,7 +151,7 @@ impl Editor {
     }
 
     fn arrange(&mut self, act: Act) {
-        self.next_gesture();
+        self.gesture += 1;
         let rows = self.selection.clone();
         match act {
             Act::Align(axis, side) => self.align(axis, side),

@@ -1,16 +1,10 @@
 //! The level's files: saved, kept beside them, taken over from another program, proven by a flight; and the questions about that.
 
 use super::Editor;
-use crate::draw::Style;
 use crate::draw::layout::{Area, GAP, LINE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
-use crate::game::Replay;
 use crate::level::document::{Kept, KeptSide, LevelSaveError, Table};
-use crate::pack;
-use crate::screens::screen::Request;
-use crate::settings::Key;
-use crate::ui::Ui;
 use crate::view::theme;
-use crate::words::tr;
+use crate::{draw::Style, game::Replay, pack, screens::screen::Request, settings::Key, ui::Ui, words::tr};
 
 /// Width of the panel, at least, canvas units, and of a letter in it, in heights of text.
 const WIDTH: f32 = 640.0;
@@ -62,7 +56,6 @@ impl Ask {
         }
     }
 
-    /// Shows the panel above all else; the answer.
     fn show(&self, ui: &mut Ui<'_>) -> Option<&'static str> {
         let (answers, height) = (self.answers(), ui.frame().text_height(TEXT));
         let row = answers.len() as f32 * (ROW_BUTTON.x + GAP) - GAP;
@@ -104,9 +97,7 @@ impl Editor {
         }
         None
     }
-}
 
-impl Editor {
     /// Keeps unsaved edits beside the files, for the next time that the level is edited.
     /// Errors: why they would be lost, in words.
     pub(in crate::screens) fn keep(&mut self) -> Result<(), String> {
@@ -118,11 +109,6 @@ impl Editor {
         let kept = self.folder.keep(&self.document);
         self.keeps = kept.is_ok();
         kept.map_err(|error| tr!("The edits cannot be kept beside the files: {error}", error))
-    }
-
-    /// Whether no edit is lost when the program ends now.
-    pub(in crate::screens) fn is_kept(&self) -> bool {
-        !self.is_unsaved() || self.keeps && self.kept.0 == self.document.version()
     }
 
     /// Takes over files that another program has written, or asks where both have changed one.

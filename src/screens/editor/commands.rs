@@ -113,7 +113,7 @@ impl Editor {
             }
             self.tool = EditorTool::Select;
         }
-        if let Some(tool) = Self::tool_of_key(input).filter(|_| !control) {
+        if let Some(tool) = EditorTool::all().find(|tool| !control && input.pressed(tool.key())) {
             self.take_tool(tool);
             return pass.close(None);
         }
@@ -122,7 +122,7 @@ impl Editor {
                 self.panel.fields.iter().find(|field| self.is_wrong(field.column.name)).or(self.panel.fields.first())
         {
             let first = first.column.name;
-            self.next_gesture();
+            self.gesture += 1;
             self.panel.focus(first, self.gesture);
             return pass.close(None);
         }
@@ -145,7 +145,7 @@ impl Editor {
         }
         // Presses in quick succession are one act, unless another one came between.
         if self.nudged > BURST || self.nudging != self.gesture {
-            self.next_gesture();
+            self.gesture += 1;
             self.nudging = self.gesture;
         }
         self.nudged = 0.0;
@@ -153,7 +153,7 @@ impl Editor {
     }
 
     fn command(&mut self, command: &str) -> Option<Request> {
-        self.next_gesture();
+        self.gesture += 1;
         if matches!(command, "Undo" | "Redo") {
             // The file holds another text than the field then.
             self.panel.typing = None;
@@ -225,7 +225,7 @@ impl Editor {
         let Some(Clip { rows, middle }) = Clip::parse(&input.clipboard.text()) else {
             return self.say(tr("There is nothing to paste."));
         };
-        self.next_gesture();
+        self.gesture += 1;
         let inside = self.panes.middle.contains(input.pointer);
         let at = if inside { self.view.pixels(input.pointer) } else { self.view.visible().centre() };
         match self.document.insert(rows, (at - middle).round(), Some(self.gesture)) {

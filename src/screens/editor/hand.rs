@@ -4,12 +4,8 @@ use super::Editor;
 use super::handles::{GRAB, Handle};
 use super::tools::EditorTool;
 use super::view::Snap;
-use crate::draw::layout::Vec2;
 use crate::level::document::{Kind, LinkForm, Place, RowId, Table};
-use crate::physics::DVec2;
-use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::words::tr;
+use crate::{draw::layout::Vec2, physics::DVec2, settings::Key, ui::input::Input, words::tr};
 
 /// A drag shorter than this is a click, canvas units.
 const CLICK: f32 = 4.0;
@@ -89,7 +85,7 @@ impl Editor {
     }
 
     fn take_hold(&mut self, input: &Input, at: DVec2) {
-        self.next_gesture();
+        self.gesture += 1;
         match self.tool {
             EditorTool::Add(kind) => {
                 let from = self.snap(input, &[]).point(at);
@@ -175,7 +171,8 @@ impl Editor {
             }
             PointerDrag::Handle { row, mut handle, from, offset, begun, moved } => {
                 let moved = moved || input.pointer.distance(begun) > CLICK;
-                if moved && handle.is_led() {
+                if moved && matches!(handle, Handle::Wire | Handle::End(_)) {
+                    // Only where it is let go it changes something.
                     if !held {
                         return self.end_led(row, handle, self.link_end(input, at));
                     }

@@ -22,13 +22,6 @@ pub enum Handle {
     End(usize),
 }
 
-impl Handle {
-    /// Whether only where it is let go changes something.
-    pub const fn is_led(self) -> bool {
-        matches!(self, Self::Wire | Self::End(_))
-    }
-}
-
 impl Editor {
     /// The handles of the selection, and where they are, pixels: one thing alone has some.
     pub fn handles(&self) -> Vec<(Handle, DVec2)> {

@@ -26,9 +26,7 @@ use crate::screens::screen::{Destination, Purpose, Request, Screen};
 use crate::session::{Session, folder_watch::FolderWatch, worker::Brought};
 use crate::settings::Settings;
 use crate::ui::input::{Input, Repeat};
-use crate::ui::pace::Motion;
-use crate::ui::scroll::Scroll;
-use crate::ui::{Spectator, Ui};
+use crate::ui::{Spectator, Ui, pace::Motion, scroll::Scroll};
 use crate::view::widgets;
 use arrange::Arranged;
 use ask::Ask;
@@ -179,7 +177,7 @@ impl Screen for Editor {
     }
 
     fn is_at_risk(&self) -> bool {
-        !self.is_kept()
+        self.is_unsaved() && !(self.keeps && self.kept.0 == self.document.version())
     }
 
     fn motion(&self, input: &Input) -> Motion {
@@ -321,10 +319,6 @@ impl Editor {
         let words = words.into();
         let time = REMARK + LETTER * words.chars().count() as f64;
         self.remark = Some((words, time));
-    }
-
-    fn next_gesture(&mut self) {
-        self.gesture += 1;
     }
 
     /// Brings all of the level, and the things outside of it, into view.

@@ -47,13 +47,8 @@ impl Editor {
                 .for_each(|[from, to]| canvas.line(from, to, 1.5, theme::ground()));
             canvas.dashed(&[at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0), at(0.0, 0.0)], &[6.0, 4.0], 1.5, theme::bad());
         }
-        self.draw_one_way(canvas, area, cell("one_way"));
-    }
-
-    /// The side that is solid.
-    fn draw_one_way(&self, canvas: &Canvas, area: Area, side: &str) {
         let (a, b) = (area.min, area.max());
-        let (from, to) = match side.to_ascii_lowercase().as_str() {
+        let (from, to) = match cell("one_way").to_ascii_lowercase().as_str() {
             "top" => (a, Vec2::new(b.x, a.y)),
             "bottom" => (Vec2::new(a.x, b.y), b),
             "left" => (a, Vec2::new(a.x, b.y)),
@@ -63,7 +58,6 @@ impl Editor {
         canvas.line(from, to, 3.0, theme::accent());
     }
 
-    /// Whether what is selected has a colour of its own.
     fn has_colour(&self) -> bool {
         ["r", "g", "b"].iter().all(|name| self.panel.fields.iter().any(|field| field.column.name == *name))
     }
@@ -95,7 +89,7 @@ impl Editor {
         }
         if let Some(colour) = taken.filter(|_| pass.open) {
             pass.close(None);
-            self.next_gesture();
+            self.gesture += 1;
             self.panel.typing = None;
             let cells = |row: &RowId| {
                 let cell = |(column, channel): (&'static str, u8)| SetCell { row: *row, column, text: channel.to_string() };

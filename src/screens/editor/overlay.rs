@@ -7,9 +7,8 @@ use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::level::document::{Kind, LinkForm, Place, number};
-use crate::physics::DVec2;
-use crate::ui::Ui;
 use crate::view::theme;
+use crate::{physics::DVec2, ui::Ui};
 
 impl Editor {
     pub(super) fn draw_selection(&self, canvas: &Canvas) {
@@ -66,9 +65,7 @@ impl Editor {
             Some(PointerDrag::Pan(_) | PointerDrag::Move { .. } | PointerDrag::Handle { .. }) | None => {}
         }
     }
-}
 
-impl Editor {
     /// A link that is pulled to the pointer, and the body that it would join there.
     fn draw_pull(&self, canvas: &Canvas, from: DVec2, form: LinkForm) {
         let to = self.view.pixels(self.pointer);

@@ -60,7 +60,10 @@ impl CellPanel {
                 let columns = kind.schema().columns.iter().filter(|column| column.name != "kind" || kind == Kind::Link);
                 columns.map(|column| self.field(document, column)).collect()
             }
-            None if rows.is_empty() => SETTINGS.iter().map(|column| setting(document, column)).collect(),
+            None if rows.is_empty() => {
+                let text = |column: &Column| Some(document.setting(column.name).unwrap_or_default().to_owned());
+                SETTINGS.iter().map(|column| CellField { column, text: text(column) }).collect()
+            }
             None => Vec::new(),
         };
     }
@@ -92,7 +95,7 @@ impl CellPanel {
         };
         let words = column.choices();
         match self.typing.as_mut().filter(|typing| typing.name == column.name) {
-            Some(typing) if words.is_empty() => typing.field.go_to_end(),
+            Some(typing) if words.is_empty() => typing.field.go(usize::MAX, false),
             _ => self.focus(column.name, gesture),
         }
         (!words.is_empty()).then(|| self.write(column, next(&words, text.as_deref(), !input.right_click), gesture))
@@ -137,10 +140,6 @@ impl CellPanel {
         }
         CellWrite::Cells(self.rows.iter().map(|row| SetCell { row: *row, column: name, text: text.clone() }).collect(), gesture)
     }
-}
-
-fn setting(document: &Document, column: &'static Column) -> CellField {
-    CellField { column, text: Some(document.setting(column.name).unwrap_or_default().to_owned()) }
 }
 
 /// The word after that one, or the one before it; an empty cell means the first.
@@ -201,7 +200,7 @@ impl Editor {
             None => {}
         }
         if clicked {
-            self.next_gesture();
+            self.gesture += 1;
         }
     }
 
@@ -265,7 +264,7 @@ impl Editor {
     }
 
     fn take_picture(&mut self, picture: &str) {
-        self.next_gesture();
+        self.gesture += 1;
         self.panel.typing = None;
         let cell = |row: &RowId| SetCell { row: *row, column: "image", text: picture.to_owned() };
         self.set(&self.selection.iter().map(cell).collect::<Vec<_>>());

@@ -6,9 +6,8 @@ use super::handles::stream_zone;
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour, Image, Style};
 use crate::level::document::{Kind, LinkForm, Place, RowId};
-use crate::level::read_picture;
-use crate::physics::DVec2;
 use crate::view::theme;
+use crate::{level::read_picture, physics::DVec2};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -188,7 +187,6 @@ impl Editor {
         self.sheets.borrow_mut().entry(path).or_insert_with_key(read).clone()
     }
 
-    /// The path of a mover: lines between the middles of where it stops.
     fn draw_path(&self, canvas: &Canvas, row: RowId, place: &Place) {
         let half = place.size * 0.5;
         let mut from = place.centre();
@@ -255,7 +253,6 @@ pub fn arrow(canvas: &Canvas, middle: Vec2, along: Vec2, colour: Colour) {
     canvas.convex(&[tip, tip - along * 9.0 + side, tip - along * 9.0 - side], colour);
 }
 
-/// A link between two points, by its kind.
 pub(super) fn draw_link(canvas: &Canvas, [from, to]: [Vec2; 2], form: LinkForm, own: Colour) {
     match form {
         LinkForm::Spring => {

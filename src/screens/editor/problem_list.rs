@@ -4,13 +4,10 @@ use super::layout::{INSIDE, PROBLEM_LINES};
 use super::{CHECK_AFTER, Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2, wrapped};
 use crate::draw::{Canvas, Style};
-use crate::level::Problem;
 use crate::level::document::{Kind, RowId, Table};
-use crate::settings::Keys;
-use crate::ui::input::Input;
-use crate::ui::{Ui, WidgetKind};
+use crate::ui::{Ui, WidgetKind, input::Input};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{level::Problem, settings::Keys, words::tr};
 use std::sync::Arc;
 
 impl Editor {
@@ -113,7 +110,7 @@ impl Editor {
         let row = Table::of_file(&problem.file).and_then(|table| self.document.row_at(table, problem.line));
         let before = std::mem::take(&mut self.selection);
         let Some(row) = row else { return self.say(tr!("{file} has no such row.", file = problem.file)) };
-        self.next_gesture();
+        self.gesture += 1;
         if self.document.kind(row) == Some(Kind::Setting) {
             let name = self.document.cell(row, "name").unwrap_or_default().to_owned();
             self.panel.read(&self.document, &[]);

@@ -8,16 +8,12 @@ use super::tools::EditorTool;
 use crate::draw::layout::{DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, Outcome, SHIP, level_hash};
-use crate::level::Level;
 use crate::level::document::{Document, Place, SetCell, Table, number};
-use crate::number::clock;
 use crate::physics::{Aabb, DVec2};
-use crate::screens::flight::Flight;
-use crate::screens::flight::trail::FlownTrail;
 use crate::screens::screen::{Destination, Request};
-use crate::ui::input::Input;
+use crate::screens::{flight::Flight, flight::open::FlownTrail};
 use crate::view::{mechanisms::movers, theme};
-use crate::words::tr;
+use crate::{level::Level, number::clock, ui::input::Input, words::tr};
 use std::sync::Arc;
 
 /// A body that has moved less than this is not shown where it has moved to, m.

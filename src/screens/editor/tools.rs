@@ -4,12 +4,11 @@ use super::layout::INSIDE;
 use super::picture::{colour, draw_link, edge};
 use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2};
-use crate::draw::{Canvas, Colour, Style};
+use crate::draw::{Canvas, Style};
 use crate::level::document::{Kind, LinkForm};
-use crate::settings::Key;
-use crate::ui::{Ui, WidgetKind, input::Input};
+use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{settings::Key, words::tr};
 
 /// The work of a drag in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +29,7 @@ const KEYS: [Key; COUNT] = {
 
 impl EditorTool {
     /// In the order in which they are offered: links stand behind the bodies that they join.
-    fn all() -> impl Iterator<Item = Self> {
+    pub fn all() -> impl Iterator<Item = Self> {
         let bodies = 1 + Kind::ADDED.iter().position(|kind| *kind == Kind::Object).unwrap_or_default();
         let (first, rest) = Kind::ADDED.split_at(bodies);
         let links = LinkForm::ALL.map(Self::Link);
@@ -47,16 +46,8 @@ impl EditorTool {
         }
     }
 
-    fn key(self) -> Key {
+    pub fn key(self) -> Key {
         Self::all().zip(KEYS).find(|(tool, _)| *tool == self).map_or(Key::F6, |(_, key)| key)
-    }
-
-    fn colour(self) -> Colour {
-        match self {
-            Self::Select | Self::Fly => theme::text(),
-            Self::Add(kind) => colour(kind),
-            Self::Link(_) => colour(Kind::Link),
-        }
     }
 
     /// `Rope · key R. …`
@@ -71,7 +62,11 @@ impl EditorTool {
     }
 
     fn draw_mark(self, canvas: &Canvas, mark: Area) {
-        let own = self.colour();
+        let own = match self {
+            Self::Select | Self::Fly => theme::text(),
+            Self::Add(kind) => colour(kind),
+            Self::Link(_) => colour(Kind::Link),
+        };
         let (from, to) = (Vec2::new(mark.min.x, mark.max().y), Vec2::new(mark.max().x, mark.min.y));
         match self {
             Self::Select | Self::Fly => edge(canvas, mark, 0.75, own),
@@ -100,10 +95,6 @@ impl Editor {
             let at = Vec2::new(mark.max().x + INSIDE, area.centre().y);
             canvas.text(tr(tool.label()), at, Style::new(DETAILS, theme::text()).middle());
         }
-    }
-
-    pub(super) fn tool_of_key(input: &Input) -> Option<EditorTool> {
-        EditorTool::all().find(|tool| input.pressed(tool.key()))
     }
 
     pub(super) fn take_tool(&mut self, tool: EditorTool) {

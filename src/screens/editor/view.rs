@@ -2,8 +2,7 @@
 //! onto whole pixels.
 
 use crate::draw::layout::{Area, Vec2};
-use crate::level::document::Place;
-use crate::physics::DVec2;
+use crate::{level::document::Place, physics::DVec2};
 
 /// Canvas units a pixel of the picture, at least and at most.
 const SCALES: (f64, f64) = (1e-5, 16.0);

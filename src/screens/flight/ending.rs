@@ -1,19 +1,15 @@
 //! An attempt and its end: its score, or the next attempt.
 
 use super::Flight;
+use super::open::FlownTrail;
 use super::pilot::steers;
 use super::race::Race;
-use super::trail::FlownTrail;
 use super::what_if::WhatIf;
 use crate::game::{Game, GameEvent, History, Outcome, Replay, RunResult};
-use crate::number::clock;
-use crate::scores::subject;
 use crate::screens::screen::{Destination, Effect, Finished, Request};
 use crate::session::library::{Attempt, Flown};
 use crate::session::{Gain, Session};
-use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::words::tr;
+use crate::{number::clock, scores::subject, settings::Key, ui::input::Input, words::tr};
 use std::rc::Rc;
 
 /// From the end of an attempt to its score, s: long enough to see the end.
@@ -33,17 +29,11 @@ const BETWEEN_SLOW: u64 = 240;
 #[derive(Debug)]
 pub(super) struct Lost {
     result: RunResult,
-    flown: Option<Rc<Flown>>,
+    pub flown: Option<Rc<Flown>>,
     /// What it brought the player, in words.
     remark: Option<String>,
     /// Age of its notice, s.
     since: f64,
-}
-
-impl Lost {
-    pub fn into_flown(self) -> Option<Rc<Flown>> {
-        self.flown
-    }
 }
 
 impl Flight {
@@ -66,7 +56,6 @@ impl Flight {
         over.then(|| self.score(self.result(), self.flown(self.run.history.clone()), self.run.remark.clone()))
     }
 
-    /// Takes up the goals of the last tick.
     pub(super) fn slow_down_for_goals(&mut self) {
         let met = self.run.game.events().iter().any(|event| matches!(event, GameEvent::ObjectiveMet(_)));
         if met && (self.run.slow_until == 0 || self.run.game.ticks() > self.run.slow_until + BETWEEN_SLOW) {

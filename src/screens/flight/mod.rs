@@ -1,18 +1,14 @@
 //! The game screen: an attempt at a level, flown by hand, by recorded inputs, or watched from a reel.
 
-mod ahead;
 mod ending;
 pub mod instruments;
-mod intro;
 pub mod observer;
-mod open;
-mod pause;
+pub mod open;
 mod pilot;
 pub mod race;
 mod reel;
 mod reload;
 mod signs;
-pub mod trail;
 mod what_if;
 mod worksheet;
 
@@ -20,18 +16,15 @@ use crate::draw::{Canvas, layout::Frame};
 use crate::game::{Game, GameError, History, Medals, Outcome};
 use crate::physics::{BodyId, DVec2};
 use crate::screens::flight::instruments::{Instruments, Stage};
-use crate::screens::flight::observer::Observer;
-use crate::screens::flight::race::Race;
 use crate::screens::screen::{AboveGame, Destination, Effect, GameScene, Request, Screen};
+use crate::screens::{flight::observer::Observer, flight::race::Race};
 use crate::session::Session;
 use crate::session::library::{Attempt, is_of_level};
 use crate::session::worker::{Brought, Ticket};
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::ui::{Spectator, Ui, input::Input, pace::Motion};
-use crate::view::Overlays;
-use crate::view::camera::Viewport;
-use crate::view::focus::Focus;
 use crate::view::hud::{Aside, HudShown};
+use crate::view::{Overlays, camera::Viewport, focus::Focus};
 use ending::{END_PAUSE, Run};
 use observer::Observation;
 use open::Open;
@@ -59,7 +52,10 @@ impl Screen for Flight {
             _ if self.open.pause.is_some() => None,
             _ => self.go_on(&rest, ui.spectator),
         };
-        self.read_instruments(&ui.frame());
+        // The moment on the screen, at the end of its frame.
+        let mut instruments = std::mem::take(&mut self.seen.instruments);
+        instruments.read(&self.stage(&ui.frame()));
+        self.seen.instruments = instruments;
         if !self.is_watched() {
             self.draw_signs(ui.canvas());
             self.draw_introduction(ui.canvas());
@@ -105,13 +101,13 @@ impl Screen for Flight {
     fn carry_out(&mut self, effect: Effect, session: &mut Session, spectator: &mut dyn Spectator) -> Option<Request> {
         match effect {
             Effect::Restart => self.restart_as_on_disk(session, spectator),
-            Effect::Export(file) => self.seen.instruments.report_export(file.write(&session.places.root.join("exports"))),
+            Effect::Export(file) => self.seen.instruments.plot.report_export(file.write(&session.places.root.join("exports"))),
             Effect::HandIn => self.hand_in(session),
             Effect::Predict => self.open.sheet.iter_mut().for_each(|sheet| sheet.fix_prediction(session.now)),
             Effect::SaveVaried(variation, name) => {
                 let saved = self.save_varied(&variation, &name, session);
                 let bad = saved.is_err();
-                self.seen.instruments.vary_mut().set_message(saved.unwrap_or_else(|reason| reason), bad);
+                self.seen.instruments.vary.set_message(saved.unwrap_or_else(|reason| reason), bad);
             }
             _ => {}
         }
@@ -137,7 +133,7 @@ impl Screen for Flight {
     fn halt(&mut self) {
         if self.run.game.outcome() == Outcome::Running && !self.is_watched() && self.open.pause.is_none() {
             self.let_go();
-            self.open.pause = Some(pause::RESUME);
+            self.open.pause = Some(open::RESUME);
         }
     }
 
@@ -145,7 +141,7 @@ impl Screen for Flight {
         // An answer that cannot be written waits in the session.
         let _ = self.write_down(session);
         if let Some(sheet) = self.open.sheet.take() {
-            session.answers.sheets.insert(sheet.folder().to_owned(), *sheet);
+            session.answers.sheets.insert(sheet.experiment.folder.clone(), *sheet);
         }
     }
 
@@ -181,7 +177,7 @@ impl Screen for Flight {
         let focus = if self.is_looked_at() { focus } else { focus.on_nobody() };
         let (details, hitboxes, watched, map) = (self.seen.details, self.seen.hitboxes, self.is_watched(), self.shows_all());
         let picture = self.seen.picture;
-        let still = self.open.pause.is_some() || self.seen.instruments.holds_view();
+        let still = self.open.pause.is_some() || self.seen.instruments.vary.holds_view();
         Some(GameScene {
             game: &self.run.game,
             alpha: self.alpha(),
@@ -219,7 +215,7 @@ impl Flight {
     pub(super) fn show_as(&mut self, body: Option<BodyId>, details: Option<bool>) {
         self.seen.details = details.unwrap_or(self.seen.details || body.is_some());
         if let Some(body) = body {
-            self.seen.observer.look_at(Focus::fitted_on(body));
+            self.seen.observer.focus = Focus::fitted_on(body);
         }
     }
 
@@ -234,7 +230,7 @@ impl Flight {
         flight.run.race = race;
         if !flight.run.game.level().ship_plays() {
             flight.seen.details = true;
-            flight.seen.observer.look_at(Focus::fitted_on(first_mover(&flight.run.game)));
+            flight.seen.observer.focus = Focus::fitted_on(first_mover(&flight.run.game));
             flight.wait_for_start();
         }
         Ok(flight)
@@ -256,7 +252,6 @@ impl Flight {
         }
     }
 
-    /// A frame of an attempt without a pause.
     fn go_on(&mut self, input: &Input, spectator: &mut dyn Spectator) -> Option<Request> {
         if self.open.test && (input.pressed(Key::F5) || input.pressed(Key::Escape) || input.acts(Action::Pause)) {
             return Some(Request::Pop);
@@ -285,7 +280,7 @@ impl Flight {
         self.open.hints.time += input.worked();
         if input.acts(Action::Pause) || input.acts(Action::Hint) && self.takes_hint() {
             self.let_go();
-            self.open.pause = Some(pause::RESUME);
+            self.open.pause = Some(open::RESUME);
             return None;
         }
         self.fly(input, spectator);
@@ -319,26 +314,18 @@ impl Flight {
         Input { frame: whole, ..rest }
     }
 
-    /// Reads the moment on the screen, at the end of its frame.
-    fn read_instruments(&mut self, frame: &Frame) {
-        let mut instruments = std::mem::take(&mut self.seen.instruments);
-        instruments.read(&self.stage(frame));
-        self.seen.instruments = instruments;
-    }
-
-    /// Fulfils the wishes of the instruments.
     fn serve_instruments(&mut self, spectator: &mut dyn Spectator) -> Option<Request> {
-        let wish = self.seen.instruments.vary_mut().take_wish();
+        let wish = self.seen.instruments.vary.wish.take();
         if let Some(request) = wish.and_then(|wish| self.fulfil(wish, spectator)) {
             return Some(request);
         }
-        if let Some(tick) = self.seen.instruments.take_seek() {
+        if let Some(tick) = self.seen.instruments.plot.seek.take() {
             self.seek(tick, spectator);
         }
-        self.seen.instruments.take_export().map(|file| Request::Do(Effect::Export(file)))
+        self.seen.instruments.plot.export.take().map(|file| Request::Do(Effect::Export(file)))
     }
 
-    pub(super) fn attempt(&self) -> &Attempt {
+    pub fn attempt(&self) -> &Attempt {
         &self.run.attempt
     }
 

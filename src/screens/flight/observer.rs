@@ -2,12 +2,9 @@
 //! details are about.
 
 use super::instruments::Instruments;
-use crate::game::Game;
-use crate::number::seconds;
 use crate::settings::{Action, Bindings, Key};
-use crate::ui::input::Input;
 use crate::view::focus::Focus;
-use crate::words::tr;
+use crate::{game::Game, number::seconds, ui::input::Input, words::tr};
 
 /// Paces of the world; 1 is the usual one.
 pub const PACES: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0, 8.0];
@@ -32,12 +29,10 @@ pub(super) struct Observation {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Observer {
-    frozen: bool,
+    pub(super) frozen: bool,
     paces: &'static [f64],
-    /// The index of the present pace.
     pace: usize,
-    focus: Focus,
-    /// Whether the whole level is shown.
+    pub(super) focus: Focus,
     map: bool,
     /// The keys in its words.
     keys: Bindings,
@@ -61,7 +56,7 @@ impl Observer {
         self.keys = input.settings.keys;
         self.zoom(input);
         if input.acts(Action::Freeze) {
-            self.freeze_or_go_on();
+            self.frozen = !self.frozen;
         }
         if input.acts(Action::Slower) {
             self.slow_down();
@@ -99,10 +94,6 @@ impl Observer {
         }
     }
 
-    pub(super) const fn freeze_or_go_on(&mut self) {
-        self.frozen = !self.frozen;
-    }
-
     pub(super) const fn slow_down(&mut self) {
         self.pace = self.pace.saturating_sub(1);
     }
@@ -130,10 +121,6 @@ impl Observer {
     /// How fast it goes, 0 while it stands still.
     pub fn speed(&self) -> f64 {
         if self.frozen { 0.0 } else { self.pace() }
-    }
-
-    pub const fn look_at(&mut self, focus: Focus) {
-        self.focus = focus;
     }
 
     pub const fn shows_map(&self) -> bool {

@@ -1,21 +1,34 @@
-//! What is open over a flight: its panels and notices, and the level's files. The viewer's part of a watched flight.
+//! What is open over a flight: its panels and notices, and the level's files. The pause panel, and the settings above it. The path of a
+//! flight and its impacts, for the picture of the level.
 
 use super::Flight;
-use super::ahead::Ahead;
 use super::signs::{Hints, News};
-use super::trail::FlownTrail;
-use crate::game::{Game, GameError, History, Unflown};
-use crate::level::Level;
-use crate::screens::{screen::Screen, settings::SettingsPanel};
+use crate::draw::layout::{Area, HEADING, PADDING, Vec2, WIDE_BUTTON};
+use crate::game::{Game, GameError, GameEvent, History, SHIP};
+use crate::screens::screen::{Destination, Effect, Purpose, Request, Screen};
 use crate::session::{Session, folder_watch::FolderWatch, journal::Worksheet, library::Attempt, worker::Ticket};
-use crate::ui::Spectator;
+use crate::ui::{Spectator, Ui, input::Input};
+use crate::view::{theme, widgets};
+use crate::{level::Level, physics::DVec2, screens::settings::SettingsPanel, settings::Action, words::tr};
 use std::sync::Arc;
+
+pub(super) const RESUME: &str = "Resume";
+const RESTART: &str = "Restart";
+const HINT: &str = "Hint";
+const SETTINGS: &str = "Settings";
+const LEVEL_SELECT: &str = "Level Select";
+/// In an experiment in place of the list of levels.
+const EXPERIMENTS: &str = "Back to experiments";
+const MENU: &str = "Main Menu";
+const EDIT: &str = "Edit Level";
+
+/// From the middle of the canvas up to the first button.
+const TOP: f32 = 152.0;
 
 #[derive(Debug, Default)]
 pub(super) struct Open {
     /// The label of the pause panel's last button, while the panel is open.
     pub pause: Option<&'static str>,
-    /// The settings, while they are open above it.
     pub settings: Option<Box<SettingsPanel>>,
     /// The problems of their file.
     pub settings_problems: Vec<String>,
@@ -74,15 +87,134 @@ impl Flight {
         flight.tell_of_settings(&session.settings, &[]);
         Ok(flight)
     }
+
+    pub(super) fn switch_overlays(&mut self, input: &Input) {
+        self.seen.details ^= input.acts(Action::Details);
+        self.seen.hitboxes ^= input.acts(Action::Hitboxes);
+        self.seen.picture ^= input.acts(Action::Picture);
+        if input.acts(Action::Sheet) {
+            self.turn_sheet();
+        }
+    }
+
+    pub(super) fn show_pause(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        let chosen = self.open.pause?;
+        ui.layer(0.45);
+        let list = if self.run.attempt.level.experiment { EXPERIMENTS } else { LEVEL_SELECT };
+        let mut labels = vec![RESUME, RESTART, SETTINGS, list, MENU, EDIT];
+        if self.offers_hint() {
+            labels.insert(2, HINT);
+        }
+        let middle = ui.frame().size / 2.0;
+        let places = ui.frame().column(labels.len(), middle.y - TOP);
+        let (top, width) = (middle.y - TOP - HEADING - 2.5 * PADDING, WIDE_BUTTON.x + 4.0 * PADDING);
+        let foot = places.last().map_or(middle.y, |last| last.max().y) + 1.5 * PADDING;
+        let panel = Area::new(middle.x - width / 2.0, top, width, foot - top);
+        ui.panel(panel);
+        let heading = Vec2::new(middle.x, top + PADDING + HEADING * 0.65);
+        widgets::fitted(ui.canvas(), tr("Paused"), heading, width, &[HEADING], theme::text());
+        self.show_hints(ui, top);
+        ui.start_at(chosen);
+        let pressed = ui.buttons(places, &labels);
+        if self.open.settings.is_some() {
+            return self.show_settings(ui);
+        }
+        if ui.is_live() {
+            self.switch_overlays(ui.input());
+        }
+        if ui.acts(Action::Pause) {
+            self.open.pause = None;
+            return None;
+        }
+        if ui.acts(Action::Restart) {
+            return Some(Request::Do(Effect::Restart));
+        }
+        self.open.pause = Some(pressed?);
+        match pressed? {
+            RESUME => self.open.pause = None,
+            HINT => self.give_hint(),
+            RESTART => return Some(Request::Do(Effect::Restart)),
+            SETTINGS => {
+                let panel = SettingsPanel::new(ui.input().settings, self.open.settings_problems.clone());
+                self.open.settings = Some(Box::new(panel));
+            }
+            LEVEL_SELECT => return Some(Request::Reset(Destination::Levels(Purpose::Play))),
+            MENU => return Some(Request::Reset(Destination::Menu)),
+            EDIT => {
+                let name = self.run.attempt.level.name.clone();
+                return Some(Request::Push(Destination::Edit { name, original: false }));
+            }
+            _ => return Some(Request::Reset(Destination::Lab(Some(self.run.attempt.level.name.clone())))),
+        }
+        None
+    }
+
+    fn show_settings(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
+        ui.layer(1.0);
+        match self.open.settings.as_mut()?.show(ui)? {
+            Request::Pop => {
+                self.open.settings = None;
+                None
+            }
+            request => Some(request),
+        }
+    }
 }
 
-#[derive(Debug)]
-pub(super) struct Viewer {
-    pub title: String,
-    /// The inputs that the history lacks.
-    pub unflown: Option<Unflown>,
-    /// Ticks to fly of them in a frame.
-    pub ahead: Ahead,
-    /// Whether the pointer holds the time line.
-    pub dragged: bool,
+/// From one point of the path to the next, ticks.
+const EVERY: u64 = 4;
+/// The most impacts in memory: a crowd has more, and the picture is full.
+const MOST: usize = 500;
+
+#[derive(Clone, Debug, Default)]
+pub struct FlownTrail {
+    path: Vec<(u64, DVec2)>,
+    impacts: Vec<(u64, Bump)>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bump {
+    /// m.
+    pub at: DVec2,
+    /// Along the normal, m/s.
+    pub speed: f64,
+    /// Whether it cost the ship points.
+    pub damages: bool,
+}
+
+impl FlownTrail {
+    /// Takes up the tick just made. A flight that was taken back goes on from there.
+    pub fn note(&mut self, game: &Game) {
+        let now = game.ticks();
+        self.path.truncate(self.path.partition_point(|(tick, _)| *tick < now));
+        self.impacts.truncate(self.impacts.partition_point(|(tick, _)| *tick < now));
+        if self.path.last().is_none_or(|(tick, _)| tick + EVERY <= now) {
+            self.path.push((now, game.world().body(SHIP).position));
+        }
+        let bump = |event: &GameEvent| match event {
+            GameEvent::Impact { point, speed, .. } => Some(Bump { at: *point, speed: *speed, damages: false }),
+            GameEvent::DamagingHit { point, speed } => Some(Bump { at: *point, speed: *speed, damages: true }),
+            _ => None,
+        };
+        let room = MOST.saturating_sub(self.impacts.len());
+        self.impacts.extend(game.events().iter().filter_map(bump).take(room).map(|bump| (now, bump)));
+    }
+
+    /// Goes on as another one does from its first tick.
+    pub fn go_on_with(&mut self, other: &Self) {
+        let Some((first, _)) = other.path.first() else { return };
+        self.path.retain(|(tick, _)| tick < first);
+        self.impacts.retain(|(tick, _)| tick < first);
+        self.path.extend(&other.path);
+        self.impacts.extend(&other.impacts);
+    }
+
+    /// Of the ship, m.
+    pub fn path(&self) -> impl Iterator<Item = DVec2> + '_ {
+        self.path.iter().map(|(_, at)| *at)
+    }
+
+    pub fn impacts(&self) -> impl Iterator<Item = Bump> + '_ {
+        self.impacts.iter().map(|(_, bump)| *bump)
+    }
 }

@@ -1,16 +1,45 @@
-//! The source of a flight's controls, the moment of it that is shown, its rewinding, and modifiers that type.
+//! The source of a flight's controls, the moment of it that is shown, its rewinding, and modifiers that type. How many ticks are flown in a frame beside
+//! what is shown: as many as frames stay short with.
 
 use super::Flight;
-use super::ahead::Ahead;
-use super::open::Viewer;
 use super::what_if::AGAIN;
-use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback};
-use crate::session::library::Attempt;
+use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback, Unflown};
 use crate::settings::{Action, Bindings, Key, Keys};
-use crate::ui::Spectator;
 use crate::ui::input::{Input, Stale};
-use crate::words::tr;
+use crate::{session::library::Attempt, ui::Spectator, words::tr};
 use std::sync::Arc;
+
+/// A frame that takes longer than this is no short one, s.
+const SHORT_FRAME: f64 = 1.0 / 40.0;
+
+#[derive(Clone, Copy, Debug)]
+pub struct Ahead {
+    ticks: u64,
+    least: u64,
+    most: u64,
+}
+
+impl Default for Ahead {
+    fn default() -> Self {
+        Self::within([30, 240, 4000])
+    }
+}
+
+impl Ahead {
+    /// At least, at first and at most that number of ticks.
+    pub const fn within([least, ticks, most]: [u64; 3]) -> Self {
+        Self { ticks, least, most }
+    }
+
+    /// How many it is to be after a frame that took so long, s; as before where no time has passed.
+    pub fn ticks(&mut self, frame_time: f64) -> u64 {
+        if frame_time > 0.0 {
+            let wanted = if frame_time > SHORT_FRAME { self.ticks / 2 } else { self.ticks * 5 / 4 };
+            self.ticks = wanted.clamp(self.least, self.most);
+        }
+        self.ticks
+    }
+}
 
 /// Where the controls of a flight come from, and how its time goes on.
 #[derive(Debug)]
@@ -36,6 +65,17 @@ impl Pilot {
             ahead: Ahead::within(AGAIN),
         }
     }
+}
+
+#[derive(Debug)]
+pub(super) struct Viewer {
+    pub title: String,
+    /// The inputs that the history lacks.
+    pub unflown: Option<Unflown>,
+    /// Ticks to fly of them in a frame.
+    pub ahead: Ahead,
+    /// Whether the pointer holds the time line.
+    pub dragged: bool,
 }
 
 #[derive(Debug)]
@@ -77,12 +117,10 @@ impl Controller {
     }
 }
 
-/// The keys of a frame that went down.
 pub(super) fn pressed(input: &Input) -> Controls {
     controls(|action| input.acts(action))
 }
 
-/// The keys of a frame that are down.
 pub(super) fn held(input: &Input) -> Controls {
     controls(|action| input.keeps(action))
 }
@@ -91,7 +129,6 @@ fn controls(is: impl Fn(Action) -> bool) -> Controls {
     Controls { thrust: is(Action::Thrust), reverse: is(Action::Reverse), left: is(Action::Left), right: is(Action::Right) }
 }
 
-/// Whether a key went down that steers.
 pub(super) fn steers(input: &Input) -> bool {
     pressed(input) != Controls::default()
 }
@@ -234,6 +271,50 @@ impl Flight {
     pub const fn is_watched(&self) -> bool {
         matches!(self.pilot.source, Controller::Reel(_))
     }
+
+    /// A frame with the key of rewinding; whether it is held. The attempt before, if that was just lost, comes back by it.
+    pub(super) fn rewind(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
+        let may = self.is_by_hand() && self.run.what_if.is_none() && !self.seen.observer.frozen();
+        if !may || !input.keeps(Action::Rewind) {
+            self.pilot.rewind.held = None;
+            return false;
+        }
+        self.bring_back_lost();
+        let held = self.pilot.rewind.held.unwrap_or(0.0) + input.frame_time;
+        self.pilot.rewind = Rewind { practice: true, held: Some(held) };
+        self.run.assisted = true;
+        self.let_go();
+        self.pilot.clock.add(input.frame_time * (PACES[0] + GROWTH * held).min(PACES[1]));
+        let back = std::iter::from_fn(|| self.pilot.clock.tick().then_some(())).count() as u64;
+        if back > 0 {
+            self.show_moment(self.run.game.ticks().saturating_sub(back), spectator);
+            if let Some(race) = &mut self.run.race {
+                race.back_to(&self.run.game);
+            }
+        }
+        true
+    }
+
+    /// Takes the attempt that was lost in place of the one that has not begun yet.
+    fn bring_back_lost(&mut self) {
+        let Some(flown) = self.run.lost.take_if(|_| self.run.game.is_idle()).and_then(|lost| lost.flown) else { return };
+        if Arc::ptr_eq(&flown.level, &self.run.attempt.level) {
+            self.run.history = flown.history.clone();
+            self.run.game = self.run.history.at(u64::MAX);
+        }
+    }
+
+    /// The words about it, while the flight is rewound and after that.
+    pub(super) fn rewind_words(&self, keys: &Bindings) -> Option<String> {
+        let restart = keys.label(Action::Restart);
+        match self.pilot.rewind {
+            Rewind { held: Some(_), .. } => Some(tr("Rewinding: let go to fly on from here").to_owned()),
+            Rewind { practice: true, .. } => {
+                Some(tr!("Practice after a rewind, not ranked: {restart} flies for the score", restart))
+            }
+            Rewind { .. } => None,
+        }
+    }
 }
 
 const MODIFIERS: [Key; 3] = [Key::Shift, Key::Control, Key::Alt];
@@ -311,50 +392,4 @@ const GROWTH: f64 = 1.5;
 pub(super) struct Rewind {
     pub practice: bool,
     pub held: Option<f64>,
-}
-
-impl Flight {
-    /// A frame with the key of rewinding; whether it is held. The attempt before, if that was just lost, comes back by it.
-    pub(super) fn rewind(&mut self, input: &Input, spectator: &mut dyn Spectator) -> bool {
-        let may = self.is_by_hand() && self.run.what_if.is_none() && !self.seen.observer.frozen();
-        if !may || !input.keeps(Action::Rewind) {
-            self.pilot.rewind.held = None;
-            return false;
-        }
-        self.bring_back_lost();
-        let held = self.pilot.rewind.held.unwrap_or(0.0) + input.frame_time;
-        self.pilot.rewind = Rewind { practice: true, held: Some(held) };
-        self.run.assisted = true;
-        self.let_go();
-        self.pilot.clock.add(input.frame_time * (PACES[0] + GROWTH * held).min(PACES[1]));
-        let back = std::iter::from_fn(|| self.pilot.clock.tick().then_some(())).count() as u64;
-        if back > 0 {
-            self.show_moment(self.run.game.ticks().saturating_sub(back), spectator);
-            if let Some(race) = &mut self.run.race {
-                race.back_to(&self.run.game);
-            }
-        }
-        true
-    }
-
-    /// Takes the attempt that was lost in place of the one that has not begun yet.
-    fn bring_back_lost(&mut self) {
-        let Some(flown) = self.run.lost.take_if(|_| self.run.game.is_idle()).and_then(|lost| lost.into_flown()) else { return };
-        if Arc::ptr_eq(&flown.level, &self.run.attempt.level) {
-            self.run.history = flown.history.clone();
-            self.run.game = self.run.history.at(u64::MAX);
-        }
-    }
-
-    /// The words about it, while the flight is rewound and after that.
-    pub(super) fn rewind_words(&self, keys: &Bindings) -> Option<String> {
-        let restart = keys.label(Action::Restart);
-        match self.pilot.rewind {
-            Rewind { held: Some(_), .. } => Some(tr("Rewinding: let go to fly on from here").to_owned()),
-            Rewind { practice: true, .. } => {
-                Some(tr!("Practice after a rewind, not ranked: {restart} flies for the score", restart))
-            }
-            Rewind { .. } => None,
-        }
-    }
 }

@@ -1,10 +1,10 @@
 //! Those who fly along: recorded flights as ghosts, and how the ship stands to them at each objective.
 
 use crate::game::{Game, GameError, GameEvent, GhostPose, GhostTrack, Outcome, SHIP};
-use crate::level::Level;
 use crate::number::{fixed, hundredths};
-use crate::session::library::Rival;
-use crate::words::tr;
+use crate::view::hud::{self, Aside};
+use crate::view::{GhostShip, theme};
+use crate::{draw::Canvas, level::Level, session::library::Rival, words::tr};
 use std::sync::Arc;
 
 /// The most ghosts at a time: more would hide the level, and each is flown once.
@@ -37,7 +37,6 @@ pub struct Split {
 pub enum Gap {
     /// The ship's delay, s; negative where the ship was earlier.
     Seconds(f64),
-    /// The ghost never met it.
     Never,
     /// The ghost's flight is not known so far yet.
     Unknown,
@@ -137,6 +136,28 @@ impl Race {
             None => Gap::Unknown,
         }
     }
+
+    /// Where the ghosts are drawn.
+    pub fn poses(&self, game: &Game, alpha: f64) -> Vec<GhostShip> {
+        self.ghosts(game, alpha)
+            .map(|(ghost, pose)| GhostShip { name: ghost.name.clone(), pose: Some(pose), objects: Vec::new() })
+            .collect()
+    }
+
+    /// Draws how the ship stands to each ghost, where it is now or else at the objective that it met last: columns of the strip beside the timer.
+    pub fn draw(&self, game: &Game, aside: &Aside, canvas: &Canvas) {
+        for (i, ghost) in self.all().iter().enumerate() {
+            let Some(column) = aside.column(i, self.all().len()) else { continue };
+            let gap = self.lead(ghost, game).or_else(|| self.splits().last().map(|split| self.gap(ghost, *split)));
+            let colour = match gap {
+                Some(Gap::Seconds(seconds)) if seconds > 0.0 => theme::bad(),
+                Some(Gap::Seconds(_) | Gap::Never) => theme::good(),
+                Some(Gap::Unknown) | None => theme::quiet(),
+            };
+            let gap_words = gap.map_or_else(|| "–".to_owned(), Gap::words);
+            hud::draw_column(column, (&ghost.name, &gap_words), colour, aside, canvas);
+        }
+    }
 }
 
 impl Gap {
@@ -149,38 +170,6 @@ impl Gap {
             }
             Self::Never => tr("not met").to_owned(),
             Self::Unknown => "…".to_owned(),
-        }
-    }
-}
-
-mod drawing {
-    use super::{Gap, Race};
-    use crate::draw::Canvas;
-    use crate::game::Game;
-    use crate::view::hud::{self, Aside};
-    use crate::view::{GhostShip, theme};
-
-    impl Race {
-        /// Where the ghosts are drawn.
-        pub fn poses(&self, game: &Game, alpha: f64) -> Vec<GhostShip> {
-            self.ghosts(game, alpha)
-                .map(|(ghost, pose)| GhostShip { name: ghost.name.clone(), pose: Some(pose), objects: Vec::new() })
-                .collect()
-        }
-
-        /// Draws how the ship stands to each ghost, where it is now or else at the objective that it met last: columns of the strip beside the timer.
-        pub fn draw(&self, game: &Game, aside: &Aside, canvas: &Canvas) {
-            for (i, ghost) in self.all().iter().enumerate() {
-                let Some(column) = aside.column(i, self.all().len()) else { continue };
-                let gap = self.lead(ghost, game).or_else(|| self.splits().last().map(|split| self.gap(ghost, *split)));
-                let colour = match gap {
-                    Some(Gap::Seconds(seconds)) if seconds > 0.0 => theme::bad(),
-                    Some(Gap::Seconds(_) | Gap::Never) => theme::good(),
-                    Some(Gap::Unknown) | None => theme::quiet(),
-                };
-                let gap_words = gap.map_or_else(|| "–".to_owned(), Gap::words);
-                hud::draw_column(column, (&ghost.name, &gap_words), colour, aside, canvas);
-            }
         }
     }
 }

@@ -2,15 +2,13 @@
 //! flown again to the wanted moment.
 
 use super::Flight;
-use super::open::Viewer;
-use super::pilot::Controller;
+use super::pilot::{Controller, Viewer};
 use crate::draw::layout::{Area, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Clock, Outcome, Reel};
 use crate::number::clock;
-use crate::screens::flight::ahead::Ahead;
-use crate::screens::flight::observer::Observer;
 use crate::screens::screen::{GameScene, Request, Screen};
+use crate::screens::{flight::observer::Observer, flight::pilot::Ahead};
 use crate::session::library::Attempt;
 use crate::settings::{Action, Key};
 use crate::ui::{Spectator, Ui, WidgetKind, input::Input};
@@ -141,7 +139,7 @@ impl Flight {
     }
 
     fn play_or_pause(&mut self, spectator: &mut dyn Spectator) {
-        self.seen.observer.freeze_or_go_on();
+        self.seen.observer.frozen ^= true;
         self.pilot.clock = Clock::new(self.run.game.tick_rate());
         if !self.seen.observer.frozen() && self.is_at_end() {
             self.show_moment(0, spectator);
@@ -192,7 +190,6 @@ impl Flight {
         }
     }
 
-    /// The pointer on the time line.
     fn drag(&mut self, ui: &mut Ui<'_>, line: Area) {
         let (input, touch) = (ui.input(), ui.touch(TIME_LINE, line.inset(-NEAR), WidgetKind::Tool));
         let Controller::Reel(viewer) = &mut self.pilot.source else { return };

@@ -5,17 +5,12 @@ use super::ending::{NOTICE, Run};
 use super::open::Open;
 use super::pilot::Pilot;
 use super::signs::News;
-use crate::files;
 use crate::game::{GameError, History, Outcome, level_hash};
-use crate::instruments::vary::Variation;
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{Level, Problem, scaffold};
-use crate::screens::flight::race::Race;
-use crate::session::Session;
-use crate::session::journal::Worksheet;
 use crate::session::library::{Attempt, Refusal};
-use crate::ui::Spectator;
-use crate::words::tr;
+use crate::session::{Session, journal::Worksheet};
+use crate::{files, instruments::vary::Variation, screens::flight::race::Race, ui::Spectator, words::tr};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -145,7 +140,7 @@ impl Flight {
         self.run = Run { lost, ..fresh.run };
         self.wait_for_start();
         if let Some(Err(words)) = varied.map(|varied| self.begin_varied(varied, same)) {
-            self.seen.instruments.vary_mut().set_message(words, true);
+            self.seen.instruments.vary.set_message(words, true);
         }
         Ok(())
     }

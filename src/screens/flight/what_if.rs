@@ -8,7 +8,7 @@ use crate::draw::layout::{Area, DETAILS, Frame, GRID, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Again, Controls, Game, GhostPose, History, Outcome, SHIP, Tape, body_title, object_body};
 use crate::instruments::vary::Variation;
-use crate::level::Level;
+use crate::level::{Parameter, Problem};
 use crate::physics::{BodyId, DVec2};
 use crate::screens::screen::{Effect, Request};
 use crate::settings::Key;
@@ -27,7 +27,6 @@ pub(super) struct WhatIf {
     /// The controls up to the moment that is shown, and that moment: a run that ends sooner does not lose them.
     tape: Tape,
     moment: u64,
-    /// What is being flown again.
     again: Option<Box<Again>>,
 }
 
@@ -75,6 +74,10 @@ impl Before {
     }
 }
 
+/// What is nearer to where it was in the run before is where it was, m.
+const SAME: f64 = 1e-3;
+/// What is turned less than this is as it was, degrees.
+const AS_TURNED: f64 = 0.01;
 /// A sign beside the panel is at least so wide.
 const NARROWEST: f32 = 200.0;
 
@@ -86,11 +89,6 @@ impl Flight {
             variation: self.variation(),
             progress: self.run.what_if.as_ref().and_then(|what_if| Some(what_if.again.as_ref()?.progress())),
         }
-    }
-
-    /// The level as it is in its files, whatever is varied of it.
-    pub fn attempt_level(&self) -> &Level {
-        &self.run.attempt.level
     }
 
     /// What is varied; none while the level is flown as it is. It may be empty: then all was taken back, but what was flown counts no more.
@@ -112,7 +110,7 @@ impl Flight {
         match wish {
             VaryWish::Vary(variation, from, goes_on) => {
                 if let Err(words) = self.vary(variation, from, goes_on) {
-                    self.seen.instruments.vary_mut().set_message(words, true);
+                    self.seen.instruments.vary.set_message(words, true);
                 }
                 let ticks = self.pilot.ahead.ticks(0.0);
                 self.fly_again(ticks, spectator);
@@ -134,7 +132,7 @@ impl Flight {
     /// Varies the level from there on.
     /// Errors: what the loader or the engine would not accept, in words; nothing has changed then.
     fn vary(&mut self, variation: Variation, from: VaryFrom, goes_on: bool) -> Result<(), String> {
-        let expected = |problems: Vec<crate::level::Problem>| {
+        let expected = |problems: Vec<Problem>| {
             problems.first().map_or_else(String::new, |problem| tr!("Expected {expected}.", expected = problem.expected))
         };
         let level = Arc::new(variation.apply(&self.run.attempt.level).map_err(expected)?);
@@ -201,7 +199,6 @@ impl Flight {
         spectator.jumped(&self.run.game);
     }
 
-    /// The run before goes along.
     pub(super) fn after_tick_of_what_if(&mut self, controls: Controls) {
         if let Some(what_if) = &mut self.run.what_if {
             what_if.before.after_tick(&self.run.game, controls);
@@ -221,13 +218,7 @@ impl Flight {
     /// A run that counts for nothing has ended: Esc or Enter lead back to the level as it is.
     pub(super) fn end_what_if(&mut self, input: &Input) -> Option<Request> {
         self.run.ended += input.frame_time;
-        let left = input.pressed(Key::Escape) || input.pressed(Key::Enter);
-        left.then(|| self.restore())
-    }
-
-    /// Whether it is said that the run has ended, and what leads on.
-    fn tells_of_the_end(&self) -> bool {
-        self.run.what_if.is_some() && self.run.game.outcome() != Outcome::Running && self.run.ended >= END_PAUSE
+        (input.pressed(Key::Escape) || input.pressed(Key::Enter)).then(|| self.restore())
     }
 
     /// Begins a level again with the numbers that it was varied by: from the start, beside the run before where the level is the same.
@@ -247,14 +238,7 @@ impl Flight {
         self.run.what_if = Some(Box::new(WhatIf { before, tape, moment, again: None, ..*varied }));
         Ok(())
     }
-}
 
-/// What is nearer to where it was in the run before is where it was, m.
-const SAME: f64 = 1e-3;
-/// What is turned less than this is as it was, degrees.
-const AS_TURNED: f64 = 0.01;
-
-impl Flight {
     /// Those who are not there: who flies along, or the run before the last change.
     pub fn ghosts(&self) -> Vec<GhostShip> {
         let race = self.race().map(|race| race.poses(&self.run.game, self.alpha()));
@@ -277,10 +261,9 @@ impl Flight {
         })
     }
 
-    /// What is varied, in a sign beside the timer.
     fn what_if_words(&self) -> Option<String> {
         let variation = self.variation()?;
-        let change = |(parameter, value): (crate::level::Parameter, f64)| {
+        let change = |(parameter, value): (Parameter, f64)| {
             let usual = parameter.of(&self.run.attempt.level)?;
             let name = parameter.shown().trim_end_matches(" ×").to_lowercase();
             let body = parameter.body().filter(|body| *body > 0).map(|body| BodyId(body as u32));
@@ -326,7 +309,8 @@ impl Flight {
         for (i, text) in lines.iter().enumerate() {
             canvas.text(text, area.min + Vec2::new(PADDING, PADDING / 2.0 + i as f32 * line), style);
         }
-        if self.tells_of_the_end() && self.open.pause.is_none() {
+        let ended = self.run.game.outcome() != Outcome::Running && self.run.ended >= END_PAUSE;
+        if ended && self.open.pause.is_none() {
             let words =
                 tr!("{end} A “what if” counts for nothing: R flies it again, Esc the level as it is.", end = self.end_words());
             let style = Style::new(TEXT, theme::text()).centred().middle();

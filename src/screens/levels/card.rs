@@ -2,13 +2,10 @@
 
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Image, Style};
-use crate::game::Medals;
 use crate::level::{Awards, Landscape};
-use crate::number::clock;
 use crate::session::{folder_watch::Stamp, library::Refusal};
-use crate::ui::Touch;
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{game::Medals, number::clock, ui::Touch, words::tr};
 
 /// From a card's edge to what is on it.
 const INSIDE: f32 = 12.0;
@@ -39,7 +36,6 @@ pub(super) fn draw(canvas: &Canvas, area: Area, (entry, edits): (&LevelEntry, bo
         }
         Some(Ok((title, painting))) => {
             if let Some(Image::Painted(painted)) = painting {
-                // As large as it fits.
                 let pixels = Vec2::new(painted.width as f32, painted.height() as f32);
                 let shown = Area::around(picture.centre(), pixels * (picture.size / pixels).min_element());
                 canvas.image(&Image::Painted(painted.clone()), shown, Colour::WHITE);
@@ -80,7 +76,7 @@ pub(super) fn draw(canvas: &Canvas, area: Area, (entry, edits): (&LevelEntry, bo
     }
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct LevelEntry {
     pub name: String,
     pub world: Option<Landscape>,
@@ -92,30 +88,13 @@ pub struct LevelEntry {
     pub title: Option<String>,
     /// The player's best time without help, s; `None` where there is none.
     pub best: Option<f64>,
-    /// What its medals ask for.
     pub awards: Awards,
-    /// The medals that it has brought the player.
     pub medals: Medals,
     /// What its own flights prove, where it is not one of the game's.
     pub proven: Option<Vec<&'static str>>,
 }
 
 impl LevelEntry {
-    /// A level of which nothing but its name and world is known.
-    pub fn new(name: String, world: Option<Landscape>) -> Self {
-        Self {
-            name,
-            world,
-            level: None,
-            stamp: Stamp::default(),
-            title: None,
-            best: None,
-            awards: Awards::default(),
-            medals: Medals::default(),
-            proven: None,
-        }
-    }
-
     /// Whether its name or title has these letters in it, which are small.
     pub(super) fn has(&self, letters: &str) -> bool {
         let has = |text: &str| text.to_lowercase().contains(letters);

@@ -3,7 +3,7 @@
 
 use super::card::LevelEntry;
 use super::shelves::{FOOT, FOOT_BUTTON, SIDE, from_left, from_right};
-use super::{Asked, LevelSelect, PickFor};
+use super::{Asked, LevelSelect};
 use crate::draw::Style;
 use crate::draw::layout::{Frame, GAP, ROW_BUTTON, TEXT, Vec2};
 use crate::files;
@@ -12,7 +12,6 @@ use crate::level::{self, Awards, scaffold};
 use crate::pack::{self, Installed};
 use crate::screens::screen::{Destination, Effect, Make, OnLevel, Purpose, Request};
 use crate::session::Session;
-use crate::session::folder_watch::Stamp;
 use crate::session::library::{NewFile, Refusal};
 use crate::session::worker::{Brought, Card, Errand, Ticket};
 use crate::settings::Key;
@@ -23,16 +22,18 @@ use crate::words::tr;
 use std::collections::btree_map::Entry as Slot;
 use std::path::{Path, PathBuf};
 
-impl LevelSelect {
-    pub fn open(purpose: Purpose, session: &mut Session) -> Self {
-        session.library.close();
-        let mut screen = Self::new(purpose, session.library.names(), |name| session.library.landscape(name));
-        if let Some(name) = &session.last_level {
-            screen.turn_to_level(name);
-        }
-        screen
-    }
+/// Where shared levels and those that were put away are, from the project's root.
+const SHARED: &str = "exports";
+const BIN: &str = "bin";
 
+/// Without a folder that a player could open there are only the first three.
+const ON_LEVELS: &[&str] = if cfg!(all(feature = "window", browser)) {
+    &["Share", "Import", "Delete"]
+} else {
+    &["Share", "Import", "Delete", "Open folder"]
+};
+
+impl LevelSelect {
     pub fn with_panel(purpose: Purpose, heading: String, lines: Vec<String>, session: &mut Session) -> Self {
         let mut screen = Self::open(purpose, session);
         screen.show_panel(heading, lines);
@@ -42,7 +43,8 @@ impl LevelSelect {
     /// With what is wrong with one of the levels.
     pub fn refused(name: &str, refusal: Refusal, session: &mut Session) -> Self {
         let mut screen = Self::open(Purpose::Play, session);
-        screen.show_problems(name, refusal);
+        screen.turn_to_level(name);
+        screen.show_panel(tr!("Level {name} does not load", name), refusal);
         screen
     }
 
@@ -51,7 +53,9 @@ impl LevelSelect {
         session.last_level = Some(name.to_owned());
         let free = scaffold::free_name(session.library.levels(), name, "copy");
         let mut screen = Self::open(Purpose::Edit, session);
-        screen.ask_for_copy(name, folder, &free);
+        let note = tr!("{name} comes with the game and stays as it is.", name);
+        let prompt = Prompt::new(tr!("What is your copy of {name} called?", name), &free, Some(note));
+        screen.prompt = Some(Box::new((prompt, Asked::OwnCopy(folder))));
         screen
     }
 
@@ -79,36 +83,13 @@ impl LevelSelect {
         Self::with_panel(Purpose::Play, heading, lines, session)
     }
 
-    /// Asks for the cards in view that the list does not know yet.
-    pub(super) fn ask_for_cards(&mut self, session: &mut Session) {
-        self.learn_titles(|name| session.library.title(name));
-        let in_view = self.in_view().into_iter().map(|index| &self.entries[index]);
-        let new: Vec<String> = in_view.filter(|entry| entry.level.is_none()).map(|entry| entry.name.clone()).collect();
-        new.iter().for_each(|name| self.ask_for_card(name, session));
-    }
-
-    /// Looks whether the levels in view have changed on disk, and whether there are others.
-    pub(super) fn look_at_files(&mut self, frame_time: f64, session: &mut Session) {
-        if !self.looks(frame_time) {
-            return;
-        }
-        let in_view = self.in_view().into_iter().map(|index| &self.entries[index]);
-        let changed = in_view.filter(|entry| entry.stamp != Stamp::of(&session.library.folder(&entry.name), &[]));
-        let changed: Vec<String> = changed.map(|entry| entry.name.clone()).collect();
-        changed.iter().for_each(|name| self.ask_for_card(name, session));
-        if let Slot::Vacant(slot) = self.asked.entry(String::new()) {
-            slot.insert(session.worker.ask(Errand::List(session.library.levels().to_path_buf())));
-        }
-    }
-
-    fn ask_for_card(&mut self, name: &str, session: &mut Session) {
+    pub(super) fn ask_for_card(&mut self, name: &str, session: &mut Session) {
         if let Slot::Vacant(slot) = self.asked.entry(name.to_owned()) {
             let root = session.library.root().to_path_buf();
             slot.insert(session.worker.ask(Errand::Card(session.library.folder(name), root)));
         }
     }
 
-    /// Shows a level's card that the worker has brought.
     pub(super) fn take_card(&mut self, ticket: Ticket, card: Card, session: &Session) {
         self.asked.retain(|_, asked| *asked != ticket);
         let Card { folder, stamp, level, proven } = card;
@@ -119,11 +100,10 @@ impl LevelSelect {
         let medals = session.journal.medals(&name).with_best(&awards, best);
         let title = level.as_ref().ok().map(|(title, ..)| title.clone());
         let level = Some(level.map(|(title, _, painting)| (title, painting)));
-        self.set_entry(index, LevelEntry { level, stamp, title, best, awards, medals, proven, ..LevelEntry::new(name, None) });
+        let world = self.entries[index].world;
+        self.entries[index] = LevelEntry { name, world, level, stamp, title, best, awards, medals, proven };
     }
-}
 
-impl LevelSelect {
     pub(super) fn show_prompt(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let (prompt, asked) = &mut **self.prompt.as_mut()?;
         match prompt.show(ui)? {
@@ -145,44 +125,9 @@ impl LevelSelect {
     }
 
     pub(super) fn ask(&mut self, heading: String, text: &str, asked: Asked) {
-        self.prompt = Some(Box::new((Prompt::new(heading, text), asked)));
+        self.prompt = Some(Box::new((Prompt::new(heading, text, None), asked)));
     }
-}
 
-/// Makes or names a level's folder.
-/// Errors: the reason, in words.
-pub(super) fn make(make: &Make, session: &mut Session) -> Result<(), String> {
-    let levels = session.library.levels().to_path_buf();
-    let (Make::New(name) | Make::Copy(_, name) | Make::CopyOf(_, name) | Make::Rename(_, name)) = make;
-    scaffold::judge(&levels, name)?;
-    if let Make::Rename(from, _) = make
-        && level::is_shipped(&levels.join(from))
-    {
-        return Err(tr!("{from} comes with the game and keeps its name: make a copy.", from));
-    }
-    let made = match make {
-        Make::New(_) => scaffold::make(&levels, name, &scaffold::BARE),
-        Make::Copy(from, _) => scaffold::copy(&levels.join(from), &levels, name),
-        Make::CopyOf(folder, _) => scaffold::copy(folder, &levels, name),
-        Make::Rename(from, _) => scaffold::rename(&levels, from, name),
-    };
-    made.map_err(|error| error.to_string())?;
-    session.last_level = Some(name.clone());
-    Ok(())
-}
-
-/// Where shared levels and those that were put away are, from the project's root.
-const SHARED: &str = "exports";
-const BIN: &str = "bin";
-
-/// Without a folder that a player could open there are only the first three.
-const ON_LEVELS: &[&str] = if cfg!(all(feature = "window", browser)) {
-    &["Share", "Import", "Delete"]
-} else {
-    &["Share", "Import", "Delete", "Open folder"]
-};
-
-impl LevelSelect {
     /// The frame above the author's second row of buttons.
     pub(super) fn frame(&self, whole: &Frame) -> Frame {
         let row = if self.purpose == Purpose::Edit { ROW_BUTTON.y + GAP / 2.0 } else { 0.0 };
@@ -223,13 +168,9 @@ impl LevelSelect {
         match pressed {
             Some("Back") => return self.go_back(ui),
             Some("New") => self.ask(tr("What is the new level called?").to_owned(), "", Asked::New),
-            Some("Copy") => self.pick = Some(PickFor::Copy),
-            Some("Rename") => self.pick = Some(PickFor::Rename),
-            Some("Share") => self.pick = Some(PickFor::Share),
-            Some("Delete") => self.pick = Some(PickFor::Bin),
-            Some("Open folder") => self.pick = Some(PickFor::Folder),
             Some("Import") => self.ask_for_file(),
-            _ => {}
+            Some(label) => self.pick = Some(label),
+            None => {}
         }
         None
     }
@@ -243,11 +184,6 @@ impl LevelSelect {
     #[cfg(all(feature = "window", browser))]
     fn ask_for_file(&mut self) {
         crate::web::choose_file();
-    }
-
-    /// Whether the level that went to the bin last is wanted back.
-    pub(super) fn takes_back(&self, ui: &Ui<'_>) -> bool {
-        !self.binned.is_empty() && ui.key(Key::Z) && ui.input().held(Key::Control)
     }
 
     /// Hands a level on, puts it away, takes one back or shows its folder; a panel says what a line cannot.
@@ -270,7 +206,7 @@ impl LevelSelect {
         if let Err(problems) = done {
             self.show_panel(tr("That cannot be done").to_owned(), problems);
         }
-        self.renew(session.library.names(), |name| session.library.landscape(name));
+        self.renew(session.library.names(), &session.library);
     }
 
     fn take_back(&mut self, session: &mut Session) -> Result<(), Vec<String>> {
@@ -283,6 +219,28 @@ impl LevelSelect {
         session.last_level = Some(name);
         Ok(())
     }
+}
+
+/// Makes or names a level's folder.
+/// Errors: the reason, in words.
+pub(super) fn make(make: &Make, session: &mut Session) -> Result<(), String> {
+    let levels = session.library.levels().to_path_buf();
+    let (Make::New(name) | Make::Copy(_, name) | Make::CopyOf(_, name) | Make::Rename(_, name)) = make;
+    scaffold::judge(&levels, name)?;
+    if let Make::Rename(from, _) = make
+        && level::is_shipped(&levels.join(from))
+    {
+        return Err(tr!("{from} comes with the game and keeps its name: make a copy.", from));
+    }
+    let made = match make {
+        Make::New(_) => scaffold::make(&levels, name, &scaffold::BARE),
+        Make::Copy(from, _) => scaffold::copy(&levels.join(from), &levels, name),
+        Make::CopyOf(folder, _) => scaffold::copy(folder, &levels, name),
+        Make::Rename(from, _) => scaffold::rename(&levels, from, name),
+    };
+    made.map_err(|error| error.to_string())?;
+    session.last_level = Some(name.clone());
+    Ok(())
 }
 
 /// Writes a level as one file; the answer is where.

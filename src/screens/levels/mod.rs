@@ -1,21 +1,17 @@
 //! A page of cards, one a level, used three times: to choose what to play, whose leaderboard to see, and what to edit. Only the levels in
 //! view are loaded, and again when their files change; typing finds those with such a name or title.
 
-use crate::draw::Style;
 use crate::draw::layout::{TEXT, Vec2};
-use crate::level::Landscape;
 use crate::screens::screen::{Destination, Effect, Make, OnLevel, Purpose, Request, Screen};
-use crate::session::Session;
-use crate::session::library::Refusal;
-use crate::session::recordings::Visit;
-use crate::session::worker::{Brought, Ticket};
+use crate::session::worker::{Brought, Errand, Ticket};
+use crate::session::{Session, folder_watch::Stamp, library::Library, recordings::Visit};
 use crate::settings::{Action, Key};
 use crate::ui::prompt::{Problems, Prompt};
 use crate::ui::{Spectator, Ui, WidgetKind};
 use crate::view::theme;
-use crate::words::tr;
+use crate::{draw::Style, words::tr};
 use shelves::{HEAD, SIDE};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, btree_map::Entry as Slot};
 use std::ops::Range;
 use std::path::PathBuf;
 
@@ -25,16 +21,6 @@ mod shelves;
 
 pub use card::LevelEntry;
 
-/// What a level is to be chosen for, besides the list's own purpose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum PickFor {
-    Copy,
-    Rename,
-    Share,
-    Bin,
-    Folder,
-}
-
 /// How many titles are looked for in a frame while something is to be found: a few milliseconds' worth.
 const TITLES_A_FRAME: usize = 100;
 /// From one look at the files in view to the next, s.
@@ -42,7 +28,7 @@ const LOOK_EVERY: f64 = 0.5;
 /// The most letters to find something by.
 const MOST_LETTERS: usize = 40;
 
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct LevelSelect {
     pub purpose: Purpose,
     pub entries: Vec<LevelEntry>,
@@ -56,7 +42,8 @@ pub struct LevelSelect {
     start: Option<String>,
     focused: Option<String>,
     problems: Option<Problems>,
-    pick: Option<PickFor>,
+    /// The button that says what a level is to be chosen for, besides the list's own purpose.
+    pick: Option<&'static str>,
     prompt: Option<Box<(Prompt, Asked)>>,
     /// Until the next look at files, s.
     look: f64,
@@ -80,25 +67,13 @@ enum Asked {
 }
 
 impl LevelSelect {
-    /// The list of those levels for that purpose; `world` is that of a level by its name.
-    pub fn new(purpose: Purpose, names: Vec<String>, world: impl Fn(&str) -> Option<Landscape>) -> Self {
-        let mut screen = Self {
-            purpose,
-            found: Vec::new(),
-            entries: Vec::new(),
-            pages: Vec::new(),
-            find: String::new(),
-            page: 0,
-            start: None,
-            focused: None,
-            problems: None,
-            pick: None,
-            prompt: None,
-            look: LOOK_EVERY,
-            binned: Vec::new(),
-            asked: BTreeMap::new(),
-        };
-        screen.renew(names, world);
+    pub fn open(purpose: Purpose, session: &mut Session) -> Self {
+        session.library.close();
+        let mut screen = Self { purpose, look: LOOK_EVERY, ..Self::default() };
+        screen.renew(session.library.names(), &session.library);
+        if let Some(name) = &session.last_level {
+            screen.turn_to_level(name);
+        }
         screen
     }
 
@@ -110,20 +85,8 @@ impl LevelSelect {
         }
     }
 
-    pub fn show_problems(&mut self, name: &str, refusal: Refusal) {
-        self.turn_to_level(name);
-        self.show_panel(tr!("Level {name} does not load", name), refusal);
-    }
-
     pub fn show_panel(&mut self, heading: String, problems: Vec<String>) {
         self.problems = Some(Problems::new(heading, problems));
-    }
-
-    /// Asks what a copy of a level that comes with the game is called.
-    pub fn ask_for_copy(&mut self, name: &str, folder: PathBuf, free: &str) {
-        let prompt = Prompt::new(tr!("What is your copy of {name} called?", name), free)
-            .with_note(tr!("{name} comes with the game and stays as it is.", name));
-        self.prompt = Some(Box::new((prompt, Asked::OwnCopy(folder))));
     }
 
     pub fn in_view(&self) -> Vec<usize> {
@@ -131,29 +94,16 @@ impl LevelSelect {
         shelves.iter().flat_map(|shelf| &self.found[shelf.clone()]).copied().collect()
     }
 
-    pub fn looks(&mut self, frame_time: f64) -> bool {
-        self.look -= frame_time;
-        let due = self.look <= 0.0;
-        if due {
-            self.look = LOOK_EVERY;
-        }
-        due
-    }
-
-    /// Takes over what is known of a level now.
-    pub fn set_entry(&mut self, index: usize, entry: LevelEntry) {
-        self.entries[index] = LevelEntry { world: self.entries[index].world, ..entry };
-    }
-
     /// Shows those levels instead; what is known of a level stays, and so does the focus on its card.
-    pub fn renew(&mut self, names: Vec<String>, world: impl Fn(&str) -> Option<Landscape>) {
+    pub fn renew(&mut self, names: Vec<String>, library: &Library) {
         let (new, old): (BTreeSet<&str>, BTreeSet<&str>) =
             (names.iter().map(String::as_str).collect(), self.entries.iter().map(|entry| entry.name.as_str()).collect());
         if !names.is_empty() && new == old {
             return;
         }
         let mut known: BTreeMap<String, LevelEntry> = self.entries.drain(..).map(|entry| (entry.name.clone(), entry)).collect();
-        let entry = |name: String| known.remove(&name).unwrap_or_else(|| LevelEntry::new(name.clone(), world(&name)));
+        let new = |name: String| LevelEntry { world: library.landscape(&name), name, ..LevelEntry::default() };
+        let entry = |name: String| known.remove(&name).unwrap_or_else(|| new(name));
         self.entries = names.into_iter().map(entry).collect();
         if self.purpose == Purpose::Edit {
             // An author's own levels stand first.
@@ -162,22 +112,6 @@ impl LevelSelect {
         self.search();
         if let Some(name) = self.focused.clone() {
             self.turn_to_level(&name);
-        }
-    }
-
-    /// Looks for some of the titles that are not known yet, while something is to be found.
-    pub fn learn_titles(&mut self, title: impl Fn(&str) -> String) {
-        if self.find.is_empty() {
-            return;
-        }
-        let unknown = self.entries.iter_mut().filter(|entry| entry.title.is_none()).take(TITLES_A_FRAME);
-        let mut learnt = false;
-        for entry in unknown {
-            entry.title = Some(title(&entry.name));
-            learnt = true;
-        }
-        if learnt {
-            self.search();
         }
     }
 
@@ -204,17 +138,17 @@ impl LevelSelect {
     fn choose(&mut self, index: usize) -> Option<Request> {
         let name = self.entries[index].name.clone();
         match (self.purpose, self.pick.take()) {
-            (_, Some(PickFor::Copy)) => {
+            (_, Some("Copy")) => {
                 self.ask(tr!("What is the copy of {name} called?", name), &format!("{name}-copy"), Asked::Copy(name));
                 None
             }
-            (_, Some(PickFor::Rename)) => {
+            (_, Some("Rename")) => {
                 self.ask(tr!("What is {name} called from now on?", name), &name.clone(), Asked::Rename(name));
                 None
             }
-            (_, Some(PickFor::Share)) => Some(Request::Do(Effect::OnLevel(OnLevel::Share(name)))),
-            (_, Some(PickFor::Bin)) => Some(Request::Do(Effect::OnLevel(OnLevel::Bin(name)))),
-            (_, Some(PickFor::Folder)) => Some(Request::Do(Effect::OnLevel(OnLevel::Folder(name)))),
+            (_, Some("Share")) => Some(Request::Do(Effect::OnLevel(OnLevel::Share(name)))),
+            (_, Some("Delete")) => Some(Request::Do(Effect::OnLevel(OnLevel::Bin(name)))),
+            (_, Some(_)) => Some(Request::Do(Effect::OnLevel(OnLevel::Folder(name)))),
             // Whether it loads is found out afresh: it may have been mended since.
             (Purpose::Play, None) => Some(Request::Reset(Destination::Play(name))),
             (Purpose::Leaderboard, None) => Some(Request::Reset(Destination::Board(Visit::of(&name)))),
@@ -232,11 +166,11 @@ impl LevelSelect {
 
     fn show_heading(&self, ui: &Ui<'_>) {
         let heading = match (self.purpose, self.pick) {
-            (_, Some(PickFor::Copy)) => tr("Which level is to be copied?"),
-            (_, Some(PickFor::Rename)) => tr("Which level is to be renamed?"),
-            (_, Some(PickFor::Share)) => tr("Which level is to be shared?"),
-            (_, Some(PickFor::Bin)) => tr("Which level is to be deleted?"),
-            (_, Some(PickFor::Folder)) => tr("Which level's folder?"),
+            (_, Some("Copy")) => tr("Which level is to be copied?"),
+            (_, Some("Rename")) => tr("Which level is to be renamed?"),
+            (_, Some("Share")) => tr("Which level is to be shared?"),
+            (_, Some("Delete")) => tr("Which level is to be deleted?"),
+            (_, Some(_)) => tr("Which level's folder?"),
             (Purpose::Play, None) => tr("Choose a level"),
             (Purpose::Leaderboard, None) => tr("Whose leaderboard?"),
             (Purpose::Edit, None) => tr("Edit a level"),
@@ -299,7 +233,7 @@ impl Screen for LevelSelect {
         request = request.or(self.show_cards(ui).filter(|_| !typed));
         request = request.or(self.show_foot(ui));
         request = request.or(self.show_prompt(ui));
-        if self.takes_back(ui) {
+        if !self.binned.is_empty() && ui.key(Key::Z) && ui.input().held(Key::Control) {
             request = request.or(Some(Request::Do(Effect::OnLevel(OnLevel::TakeBack))));
         }
         if self.problems.as_ref().is_some_and(|problems| problems.show(ui)) {
@@ -344,12 +278,36 @@ impl Screen for LevelSelect {
         }
     }
 
+    /// Looks whether the levels in view have changed on disk, and whether there are others.
     fn look(&mut self, frame_time: f64, session: &mut Session) {
-        self.look_at_files(frame_time, session);
+        self.look -= frame_time;
+        if self.look > 0.0 {
+            return;
+        }
+        self.look = LOOK_EVERY;
+        let in_view = self.in_view().into_iter().map(|index| &self.entries[index]);
+        let changed = in_view.filter(|entry| entry.stamp != Stamp::of(&session.library.folder(&entry.name), &[]));
+        let changed: Vec<String> = changed.map(|entry| entry.name.clone()).collect();
+        changed.iter().for_each(|name| self.ask_for_card(name, session));
+        if let Slot::Vacant(slot) = self.asked.entry(String::new()) {
+            slot.insert(session.worker.ask(Errand::List(session.library.levels().to_path_buf())));
+        }
     }
 
+    /// Titles while something is to be found, and the cards in view that are not known yet.
     fn attend(&mut self, session: &mut Session) {
-        self.ask_for_cards(session);
+        let finds = !self.find.is_empty();
+        let mut learnt = false;
+        for entry in self.entries.iter_mut().filter(|entry| finds && entry.title.is_none()).take(TITLES_A_FRAME) {
+            entry.title = Some(session.library.title(&entry.name));
+            learnt = true;
+        }
+        if learnt {
+            self.search();
+        }
+        let in_view = self.in_view().into_iter().map(|index| &self.entries[index]);
+        let new: Vec<String> = in_view.filter(|entry| entry.level.is_none()).map(|entry| entry.name.clone()).collect();
+        new.iter().for_each(|name| self.ask_for_card(name, session));
     }
 
     fn receive(&mut self, ticket: Ticket, brought: Brought, session: &mut Session, _: &mut dyn Spectator) {
@@ -357,7 +315,7 @@ impl Screen for LevelSelect {
             Brought::Card(card) => self.take_card(ticket, *card, session),
             Brought::List(names) => {
                 self.asked.remove("");
-                self.renew(names, |name| session.library.landscape(name));
+                self.renew(names, &session.library);
             }
             _ => {}
         }

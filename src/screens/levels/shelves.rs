@@ -6,11 +6,9 @@ use super::{LevelSelect, MOST_LETTERS};
 use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GAP, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Canvas, Style};
 use crate::game::{Medal, Prize};
-use crate::level::Landscape;
-use crate::settings::Key;
 use crate::ui::{Ui, input::Stroke};
 use crate::view::{sky::WorldPalette, theme, widgets};
-use crate::words::tr;
+use crate::{level::Landscape, settings::Key, words::tr};
 use std::ops::Range;
 
 /// From the canvas' sides to the cards, and from its top: the heading.
@@ -27,12 +25,10 @@ const SHAPE: f32 = 1.3;
 const LARGEST: Vec2 = Vec2::new(900.0, 600.0);
 pub(super) const FOOT_BUTTON: Vec2 = Vec2::new(160.0, ROW_BUTTON.y);
 
-/// The place of a button at the foot, counted from the left.
 pub(super) fn from_left(nth: f32, frame: &Frame) -> Area {
     Area { min: Vec2::new(SIDE + nth * (FOOT_BUTTON.x + GAP), foot(frame)), size: FOOT_BUTTON }
 }
 
-/// The place of a button at the foot, counted from the right.
 pub(super) fn from_right(nth: f32, frame: &Frame) -> Area {
     let left = frame.size.x - SIDE - FOOT_BUTTON.x - nth * (FOOT_BUTTON.x + GAP);
     Area { min: Vec2::new(left, foot(frame)), size: FOOT_BUTTON }

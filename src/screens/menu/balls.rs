@@ -1,13 +1,11 @@
 //! What flies in the menu: the ship, which hovers by its own engine, and balls. The game's own engine under weak gravity, without air, on steel. The
 //! pilot of the menu's ship: it keeps the ship over the buttons with the engine alone, and leads it back there from wherever a ball has knocked it.
 
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{Clock, ROTATION_RATE, SHIP, TICK_RATE, nose};
-use crate::level::SHIP_HALF;
 use crate::physics::{Aabb, Body, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
-use crate::ui::input::Input;
 use crate::view::theme;
+use crate::{draw::Canvas, level::SHIP_HALF, ui::input::Input};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 
@@ -62,7 +60,7 @@ impl Balls {
             self.rebuild(0);
         }
         if input.right_click {
-            if self.count() >= MOST {
+            if self.areas().count() >= MOST {
                 self.rebuild(1);
             }
             let mut random = Pcg32::seed_from_u64(self.time.to_bits() ^ self.seed);
@@ -79,15 +77,12 @@ impl Balls {
         }
     }
 
-    fn count(&self) -> usize {
-        self.world.as_ref().map_or(0, |world| world.bodies().len() - 1)
-    }
-
     /// The ship's centre (m, with the metres of the canvas), its angle (degrees) and how its engine burns (1 or 0), between the last two ticks.
     pub fn ship(&self) -> Option<(DVec2, f64, f64)> {
         let (world, alpha) = (self.world.as_ref()?, self.clock.alpha());
         let centre = world.previous_position(SHIP).lerp(world.body(SHIP).position, alpha);
-        Some((centre, self.hover.angle(alpha), self.hover.burning()))
+        let (now, before) = self.hover.angle;
+        Some((centre, before + (now - before) * alpha, (self.hover.burning * 2.0).min(1.0)))
     }
 
     /// The balls' boxes on the canvas, between the last two ticks.
@@ -100,6 +95,15 @@ impl Balls {
                 Area::around(centre.as_vec2(), Vec2::splat(2.0 * RADIUS as f32 * METRE))
             })
         })
+    }
+
+    pub fn draw(&self, canvas: &Canvas) {
+        for (i, area) in self.areas().enumerate() {
+            let (centre, radius) = (area.centre(), area.size.x / 2.0);
+            let colour = [theme::player_objective(), theme::physics_objective(), theme::good(), theme::accent()][i % 4];
+            canvas.disc(centre, radius, colour);
+            canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::text().faded(0.7));
+        }
     }
 
     /// A world of the window as it is now, with all balls but the `without` oldest ones.
@@ -167,17 +171,6 @@ fn metres(point: Vec2) -> DVec2 {
 
 fn in_metres(area: &Area) -> Aabb {
     Aabb::new(metres(area.min), metres(area.max()))
-}
-
-impl Balls {
-    pub fn draw(&self, canvas: &Canvas) {
-        for (i, area) in self.areas().enumerate() {
-            let (centre, radius) = (area.centre(), area.size.x / 2.0);
-            let colour = [theme::player_objective(), theme::physics_objective(), theme::good(), theme::accent()][i % 4];
-            canvas.disc(centre, radius, colour);
-            canvas.disc(centre - Vec2::splat(radius * 0.3), radius * 0.22, theme::text().faded(0.7));
-        }
-    }
 }
 
 /// N/kg, downwards.
@@ -262,16 +255,6 @@ impl Hover {
         self.due -= f64::from(u8::from(burst));
         self.burning += (f64::from(u8::from(burst)) - self.burning) * SHOWN;
         if burst { nose * THRUST } else { DVec2::ZERO }
-    }
-
-    /// The angle between the last two ticks, degrees.
-    pub fn angle(&self, alpha: f64) -> f64 {
-        self.angle.1 + (self.angle.0 - self.angle.1) * alpha
-    }
-
-    /// How much the engine burns, 0 … 1.
-    pub fn burning(&self) -> f64 {
-        (self.burning * 2.0).min(1.0)
     }
 
     /// Where to fly from there: home, or first around what lies between.

@@ -1,12 +1,10 @@
 //! Who and what the game is made of, and under which licences.
 
-use crate::draw::Style;
-use crate::draw::layout::{Area, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
 use crate::screens::screen::{Request, Screen};
-use crate::settings::Key;
 use crate::ui::{Turning, Ui, scroll::bar_beside};
 use crate::view::theme;
-use crate::words::tr;
+use crate::{draw::Style, settings::Key, words::tr};
 
 /// The game's own licence, word for word.
 const LICENCE: &str = include_str!("../../../LICENSE");
@@ -53,7 +51,6 @@ enum Credit {
     Heading(&'static str),
     Words(&'static str),
     Licence(String),
-    /// A part, and its licence.
     Part(&'static str, &'static str),
 }
 
@@ -103,26 +100,12 @@ fn lines(columns: usize) -> Vec<Credit> {
     let between = [Credit::Words(""), Credit::Heading(tr("Built with"))];
     let parts = FONTS.into_iter().chain(CRATES).map(|(part, licence)| Credit::Part(part, licence));
     let own = [Credit::Words(""), Credit::Heading(tr("The game's licence"))];
-    let licence = LICENCE.split("\n\n").flat_map(|paragraph| filled(paragraph, columns)).map(Credit::Licence);
+    // A paragraph, and an empty line below it.
+    let filled = |words: &str| {
+        wrapped(&words.split_whitespace().collect::<Vec<_>>().join(" "), columns, 0).into_iter().chain([String::new()])
+    };
+    let licence = LICENCE.split("\n\n").flat_map(filled).map(Credit::Licence);
     heading.into_iter().chain(between).chain(parts).chain(own).chain(licence).collect()
-}
-
-/// The words of a paragraph in lines of `columns` characters at most, and an empty line below them. A longer word has its own line.
-fn filled(paragraph: &str, columns: usize) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in paragraph.split_whitespace() {
-        let line = lines.len() - 1;
-        if lines[line].is_empty() {
-            lines[line].push_str(word);
-        } else if lines[line].chars().count() + 1 + word.chars().count() <= columns {
-            lines[line].push(' ');
-            lines[line].push_str(word);
-        } else {
-            lines.push(word.to_owned());
-        }
-    }
-    lines.push(String::new());
-    lines
 }
 
 #[cfg(test)]

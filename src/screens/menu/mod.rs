@@ -6,17 +6,12 @@ use super::screen::{Destination, GameScene, Purpose, Request, Screen};
 use crate::draw::layout::{Area, Frame, GRID, PADDING, ROW_BUTTON, TEXT, TITLE, Vec2, words_box, words_width};
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::{DVec2, ForceKind};
-use crate::scores::Name;
-use crate::session::Session;
 use crate::session::worker::{Brought, Errand, Ticket};
-use crate::settings::Key;
-use crate::ui::input::Input;
 use crate::ui::pace::{self, Motion};
-use crate::ui::prompt::Problems;
-use crate::ui::{Spectator, Ui};
+use crate::ui::{Spectator, Ui, input::Input, prompt::Problems};
 use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::{scale, theme, things, widgets};
-use crate::words::tr;
+use crate::{scores::Name, session::Session, settings::Key, words::tr};
 use balls::{Balls, METRE};
 use std::path::Path;
 
@@ -56,18 +51,13 @@ const ADDENDS: [(ForceKind, Vec2); 5] = [
     (ForceKind::Weight, Vec2::new(0.06, -1.25)),
 ];
 
-#[derive(Clone, Debug)]
-pub struct MenuFacts {
-    /// The level that Play opens, by name and title: the first one that the player has not done; `None` until it is found.
-    pub next: Option<(String, String)>,
-    pub player: Name,
-    /// What is wrong with the players' files.
-    pub trouble: Option<String>,
-}
-
 #[derive(Debug)]
 pub struct Menu {
-    facts: MenuFacts,
+    /// The level that Play opens, by name and title: the first one that the player has not done; `None` until it is found.
+    next: Option<(String, String)>,
+    player: Name,
+    /// What is wrong with the players' files.
+    trouble: Option<String>,
     more: bool,
     /// The button that was pressed last.
     chosen: &'static str,
@@ -94,12 +84,9 @@ impl Menu {
         session.worker.ask(Errand::First(folders, session.library.root().to_path_buf(), shown));
         let player = session.journal.current().clone();
         let trouble = session.journal.trouble().map(str::to_owned).or(unsaved);
-        Self::new(MenuFacts { next: None, player, trouble }, session.menus)
-    }
-
-    /// The menu. How balls fly follows from `seed` and from when they are dropped.
-    pub fn new(facts: MenuFacts, seed: u64) -> Self {
-        Self { facts, more: false, chosen: LABELS[0], balls: Balls::new(seed), behind: None, lines: Vec::new() }
+        // How balls fly follows from the number of the menu and from when they are dropped.
+        let balls = Balls::new(session.menus);
+        Self { next: None, player, trouble, more: false, chosen: LABELS[0], balls, behind: None, lines: Vec::new() }
     }
 
     /// Whether ship and balls hold still: nobody has touched anything for long, or the player is elsewhere.
@@ -143,8 +130,8 @@ impl Menu {
     fn show_beside(&self, ui: &Ui<'_>, column: &[Area]) -> Vec<Area> {
         let words = LABELS.iter().zip(column).filter_map(|(label, button)| match *label {
             _ if self.more => None,
-            "Play" => Some((tr(&self.facts.next.as_ref()?.1), button)),
-            PLAYERS => Some((self.facts.player.as_str(), button)),
+            "Play" => Some((tr(&self.next.as_ref()?.1), button)),
+            PLAYERS => Some((self.player.as_str(), button)),
             _ => None,
         });
         let show = |(words, button): (&str, &Area)| {
@@ -157,7 +144,7 @@ impl Menu {
 
     fn show_foot(&self, ui: &Ui<'_>) -> Area {
         let (size, height) = (ui.frame().size, ui.frame().text_height(TEXT));
-        let (words, colour) = self.facts.trouble.as_deref().map_or((tr(HINT), theme::quiet()), |trouble| (trouble, theme::bad()));
+        let (words, colour) = self.trouble.as_deref().map_or((tr(HINT), theme::quiet()), |trouble| (trouble, theme::bad()));
         let (middle, widest) = (Vec2::new(size.x / 2.0, size.y - FOOT), size.x - BESIDE_FOOT);
         widgets::fitted(ui.canvas(), words, middle, widest, &[TEXT], colour);
         let mut area = words_box(words, height, middle);
@@ -190,7 +177,7 @@ impl Screen for Menu {
         let pressed = ui.buttons(column.clone(), &labels);
         let again = Area { min: frame.size - CORNER - ROW_BUTTON, size: ROW_BUTTON };
         // The menu that opens then has tried once more to save what waits.
-        if self.facts.trouble.is_some() && ui.button("Try again", again) {
+        if self.trouble.is_some() && ui.button("Try again", again) {
             return Some(Request::Reset(Destination::Menu));
         }
         self.lines = self.show_beside(ui, &column);
@@ -214,7 +201,7 @@ impl Screen for Menu {
                 ui.focus(None);
                 return None;
             }
-            "Play" => match &self.facts.next {
+            "Play" => match &self.next {
                 Some((name, _)) => return Some(Request::Reset(Destination::Play(name.clone()))),
                 None => Destination::Levels(Purpose::Play),
             },
@@ -234,7 +221,7 @@ impl Screen for Menu {
 
     fn receive(&mut self, _: Ticket, brought: Brought, _: &mut Session, spectator: &mut dyn Spectator) {
         if let Brought::First(next, gold) = brought {
-            self.facts.next = next;
+            self.next = next;
             self.behind = gold.map(|gold| Box::new(Flight::watch(String::new(), *gold, spectator)));
         }
     }

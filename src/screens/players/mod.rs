@@ -1,16 +1,12 @@
 //! The list of players: the one who plays is chosen, or a new one is named.
 
-use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, PADDING, TEXT, Vec2};
-use crate::scores::{Name, PlayerRecord, Players};
+use crate::scores::{Name, PlayerRecord};
 use crate::screens::screen::{Effect, Request, Screen};
-use crate::session::Session;
-use crate::settings::Key;
 use crate::ui::prompt::{NameEntry, NameField};
-use crate::ui::scroll::bar_beside;
-use crate::ui::{Rows, Ui};
+use crate::ui::{Rows, Ui, scroll::bar_beside};
 use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, session::Session, settings::Key, words::tr};
 
 const PAGE: usize = 7;
 /// Width and height of a player's button, and from one to the next.
@@ -22,26 +18,12 @@ const BAR: f32 = 24.0;
 const TOP: f32 = 144.0;
 const NEW: &str = "New Player";
 
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Candidate {
-    name: Name,
-    /// How many levels are done.
-    done: usize,
-}
-
-/// Whether nobody has a name yet.
-fn nameless(candidates: &[Candidate]) -> bool {
-    candidates.iter().all(|candidate| candidate.name.is_guest())
-}
-
 /// The list of players, or the field for a new one.
 #[derive(Debug)]
 pub struct PlayerList {
-    candidates: Vec<Candidate>,
+    candidates: Vec<PlayerRecord>,
     current: Name,
-    /// The field for a new name, while it is open.
     field: Option<NameField>,
-    /// What is wrong with the players' file.
     trouble: Option<String>,
 }
 
@@ -49,24 +31,24 @@ impl PlayerList {
     /// With what others have written meanwhile.
     pub fn open(session: &mut Session) -> Self {
         session.journal.read();
-        let trouble = session.journal.trouble().map(str::to_owned);
-        Self::new(session.journal.players(), session.journal.current(), trouble)
+        let mut candidates = session.journal.players().all().to_vec();
+        candidates.sort_by_key(|candidate| candidate.name().as_str().to_lowercase());
+        let (current, trouble) = (session.journal.current().clone(), session.journal.trouble().map(str::to_owned));
+        let mut screen = Self { candidates, current, field: None, trouble };
+        screen.field = screen.is_nameless().then(|| NameField::new(""));
+        screen
     }
 
-    /// The players that are known, and the one who plays now. Without any there is only the field.
-    pub fn new(known: &Players, current: &Name, trouble: Option<String>) -> Self {
-        let candidate = |player: &PlayerRecord| Candidate { name: player.name().clone(), done: player.done() };
-        let mut candidates: Vec<Candidate> = known.all().iter().map(candidate).collect();
-        candidates.sort_by_key(|candidate| candidate.name.as_str().to_lowercase());
-        let field = nameless(&candidates).then(|| NameField::new(""));
-        Self { candidates, current: current.clone(), field, trouble }
+    /// Whether nobody has a name yet: without any there is only the field.
+    fn is_nameless(&self) -> bool {
+        self.candidates.iter().all(|candidate| candidate.name().is_guest())
     }
 
     fn show_field(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         ui.page("New player", ui.frame().size.y * 0.2);
         match self.field.as_mut()?.show(ui, (tr("What you complete is kept under this name."), "Done"))? {
             NameEntry::Name(name) => return Some(Request::Do(Effect::Choose(name, true))),
-            NameEntry::Back if nameless(&self.candidates) => return Some(Request::Pop),
+            NameEntry::Back if self.is_nameless() => return Some(Request::Pop),
             NameEntry::Back => self.field = None,
         }
         ui.focus(Some(NEW));
@@ -74,7 +56,7 @@ impl PlayerList {
     }
 
     fn show_rows(&self, ui: &mut Ui<'_>, list: Area) -> Option<usize> {
-        let names: Vec<&str> = self.candidates.iter().map(|candidate| candidate.name.as_str()).collect();
+        let names: Vec<&str> = self.candidates.iter().map(|candidate| candidate.name().as_str()).collect();
         if let (true, Some(at)) = (ui.opens(), names.iter().position(|name| *name == self.current.as_str())) {
             ui.reveal("players", at);
             ui.start_at(names[at]);
@@ -86,12 +68,12 @@ impl PlayerList {
             track: bar_beside(list, list.min.y + PADDING, list.max().y - PADDING),
         };
         ui.list("players", &names, &rows, |canvas, index, (area, touch)| {
-            let Candidate { name, done } = &self.candidates[index];
+            let (name, done) = (self.candidates[index].name(), self.candidates[index].done());
             widgets::button_box(canvas, area, touch.hover, touch.focus);
             let (left, right) = (area.min.x + PADDING, area.max().x - PADDING);
             let colour = if *name == self.current { theme::accent() } else { theme::text() };
             canvas.text(name.as_str(), Vec2::new(left, area.centre().y), Style::new(BUTTON_TEXT, colour).mono().middle());
-            let done = if *done == 1 { tr("1 level done").to_owned() } else { tr!("{count} levels done", count = done) };
+            let done = if done == 1 { tr("1 level done").to_owned() } else { tr!("{count} levels done", count = done) };
             canvas.text(&done, Vec2::new(right, area.centre().y), Style::new(TEXT, theme::quiet()).right().middle());
         })
     }
@@ -113,7 +95,7 @@ impl Screen for PlayerList {
         let chosen = self.show_rows(ui, list);
         let pressed = ui.row(list.max().y + 2.0 * GAP, &[NEW, "Back"]);
         if let Some(index) = chosen {
-            return Some(Request::Do(Effect::Choose(self.candidates[index].name.clone(), false)));
+            return Some(Request::Do(Effect::Choose(self.candidates[index].name().clone(), false)));
         }
         if pressed == Some(NEW) {
             self.field = Some(NameField::new(""));

@@ -6,9 +6,8 @@ use crate::draw::{Canvas, Style};
 use crate::game::{Game, SHIP};
 use crate::number::fixed;
 use crate::physics::{DVec2, ForceKind};
-use crate::view::camera::Viewport;
 use crate::view::scale::{self, ArrowKind};
-use crate::view::theme;
+use crate::view::{camera::Viewport, theme};
 use crate::words::tr;
 
 /// The most room for the arrows, canvas units.

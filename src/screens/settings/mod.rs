@@ -129,7 +129,6 @@ impl SettingsPanel {
         self.settings.keys.set(action, keys);
     }
 
-    /// What the keys do here, and what is wrong.
     fn show_hints(&self, ui: &Ui<'_>, mut at: Vec2) {
         let large = ui.frame().text > 1.0;
         let pitch = (1.08 * ui.frame().text_height(DETAILS)).max(18.0);

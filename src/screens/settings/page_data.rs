@@ -1,13 +1,9 @@
 //! In a browser, in the place of Quit: what the browser keeps for the page, as one file and back.
 
-use crate::draw::Style;
 use crate::draw::layout::{TEXT, Vec2};
 use crate::screens::screen::{Request, Screen};
-use crate::settings::Key;
-use crate::ui::Ui;
 use crate::view::theme;
-use crate::web;
-use crate::words::tr;
+use crate::{draw::Style, settings::Key, ui::Ui, web, words::tr};
 
 const LINES: [&str; 5] = [
     "The browser keeps your scores, flights, levels and settings for this page, on this computer alone.",

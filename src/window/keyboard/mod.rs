@@ -1,15 +1,12 @@
 //! The window's keyboard. X11 and a browser tell each press with its place and what it types; elsewhere a key is what miniquad takes it for,
 //! and its character comes by itself.
 
-#[cfg(windows)]
-mod windows;
 #[cfg(target_os = "linux")]
 mod x11;
 
 use crate::settings::{Key, Keys, layout, plain_keys};
-use crate::ui::input::Input;
 use crate::ui::keyboard::{KeyDown, Keyboard};
-use crate::ui::pace;
+use crate::ui::{input::Input, pace};
 use macroquad::input::utils::{register_input_subscriber, repeat_all_miniquad_input};
 use macroquad::input::{KeyCode, get_char_pressed};
 use macroquad::miniquad::{EventHandler, KeyMods};
@@ -108,6 +105,34 @@ impl WindowKeys {
         #[cfg(browser)]
         crate::web::drain_keys(&mut self.events.keyboard);
         Input { away: self.events.away, ..self.events.keyboard.take() }
+    }
+}
+
+/// The layout of a Windows keyboard. miniquad tells of a key its place, and Windows itself composes characters.
+///
+/// Unsafe code: one function of user32, which takes and gives numbers.
+#[cfg(windows)]
+#[allow(unsafe_code)]
+mod windows {
+    use crate::settings::{Key, layout};
+
+    /// `MAPVK_VSC_TO_VK` and `MAPVK_VK_TO_CHAR`
+    const CODE_TO_KEY: u32 = 1;
+    const KEY_TO_CHARACTER: u32 = 2;
+    /// A dead key has the highest bit as well.
+    const CHARACTER: u32 = 0xffff;
+
+    #[link(name = "user32")]
+    unsafe extern "system" {
+        fn MapVirtualKeyW(code: u32, kind: u32) -> u32;
+    }
+
+    /// What the key at that place types alone.
+    pub fn plain(place: Key) -> Option<char> {
+        let (code, _) = layout::printing().find(|(_, key)| *key == place)?;
+        // SAFETY: it takes any numbers.
+        let character = unsafe { MapVirtualKeyW(MapVirtualKeyW(u32::from(code), CODE_TO_KEY), KEY_TO_CHARACTER) };
+        char::from_u32(character & CHARACTER).filter(|sign| *sign != '\0').and_then(|sign| sign.to_lowercase().next())
     }
 }
 

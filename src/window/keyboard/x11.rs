@@ -8,7 +8,7 @@
 
 use crate::settings::{Key, Keys, layout};
 use crate::system_library::{function, library};
-use crate::ui::keyboard::{KeyDown, Keyboard, alone};
+use crate::ui::keyboard::{KeyDown, Keyboard, MARKS, alone};
 use std::collections::VecDeque;
 use std::ffi::{c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_void};
 use std::sync::{Mutex, OnceLock, PoisonError};
@@ -260,8 +260,8 @@ impl System {
 
     /// What a keysym types; a combining mark for a dead key.
     fn character(&self, keysym: c_ulong) -> Option<char> {
-        if let Some((_, mark)) = DEAD.iter().find(|(dead, _)| *dead == keysym) {
-            return Some(*mark);
+        if let Some((_, (mark, ..))) = DEAD.iter().zip(MARKS).find(|(dead, _)| **dead == keysym) {
+            return Some(mark);
         }
         // SAFETY: it takes any number.
         let character = unsafe { (self.functions.character)(u32::try_from(keysym).ok()?) };
@@ -279,24 +279,9 @@ impl System {
     }
 }
 
-/// Dead keys, and the marks that they put on letters.
-const DEAD: [(c_ulong, char); 16] = [
-    (0xfe50, '\u{300}'),
-    (0xfe51, '\u{301}'),
-    (0xfe52, '\u{302}'),
-    (0xfe53, '\u{303}'),
-    (0xfe54, '\u{304}'),
-    (0xfe55, '\u{306}'),
-    (0xfe56, '\u{307}'),
-    (0xfe57, '\u{308}'),
-    (0xfe58, '\u{30a}'),
-    (0xfe59, '\u{30b}'),
-    (0xfe5a, '\u{30c}'),
-    (0xfe5b, '\u{327}'),
-    (0xfe5c, '\u{328}'),
-    (0xfe60, '\u{323}'),
-    (0xfe61, '\u{309}'),
-    (0xfe62, '\u{31b}'),
+/// Dead keys, in the order of the marks that they put on letters.
+const DEAD: [c_ulong; MARKS.len()] = [
+    0xfe50, 0xfe51, 0xfe52, 0xfe53, 0xfe54, 0xfe55, 0xfe56, 0xfe57, 0xfe61, 0xfe58, 0xfe59, 0xfe5a, 0xfe60, 0xfe5b, 0xfe5c, 0xfe62,
 ];
 
 /// The key of a keysym that types no character, or is on the number pad.
@@ -308,14 +293,10 @@ fn named(keysym: c_ulong) -> Option<Key> {
         0xff09 => Key::Tab,
         0xff0d | 0xff8d => Key::Enter,
         0xff1b => Key::Escape,
-        0xff50 => Key::Home,
-        0xff51 => Key::Left,
-        0xff52 => Key::Up,
-        0xff53 => Key::Right,
-        0xff54 => Key::Down,
-        0xff55 => Key::PageUp,
-        0xff56 => Key::PageDown,
-        0xff57 => Key::End,
+        0xff50..=0xff57 => {
+            use Key::{Down, End, Home, Left, PageDown, PageUp, Right, Up};
+            [Home, Left, Up, Right, Down, PageUp, PageDown, End][keysym as usize - 0xff50]
+        }
         0xff63 => Key::Insert,
         0xffff => Key::Delete,
         0xffaa => Key::KpMultiply,
@@ -323,16 +304,7 @@ fn named(keysym: c_ulong) -> Option<Key> {
         0xffad => Key::KpSubtract,
         0xffaf => Key::KpDivide,
         0xff9f | 0xffac | 0xffae => Key::KpDecimal,
-        0xff9e => Key::Kp0,
-        0xff9c => Key::Kp1,
-        0xff99 => Key::Kp2,
-        0xff9b => Key::Kp3,
-        0xff96 => Key::Kp4,
-        0xff9d => Key::Kp5,
-        0xff98 => Key::Kp6,
-        0xff95 => Key::Kp7,
-        0xff97 => Key::Kp8,
-        0xff9a => Key::Kp9,
+        0xff95..=0xff9e => return numbered("Kp", [7, 4, 8, 6, 2, 9, 3, 1, 5, 0][keysym as usize - 0xff95]),
         0xffb0..=0xffb9 => return numbered("Kp", keysym - 0xffb0),
         0xffbe..=0xffc9 => return numbered("F", keysym - 0xffbd),
         0xffe1 | 0xffe2 => Key::Shift,

@@ -1,15 +1,12 @@
 //! The table of momentum, energy and work: of the followed object, of the one compared with it and of both; else of all.
 
 use super::Stage;
-use crate::draw::Colour;
 use crate::game::{Game, History, body_title};
 use crate::instruments::ledger::{Account, EnergyState, MOST_BODIES, WorkLedger, ground};
-use crate::level::Level;
 use crate::number::{QuantityScale, scalar, seconds};
 use crate::physics::{BodyId, DVec2, ForceKind, Impulse};
-use crate::ui::input::Input;
 use crate::view::{focus::Focus, theme};
-use crate::words::tr;
+use crate::{draw::Colour, level::Level, ui::input::Input, words::tr};
 
 /// Ticks of reading in a frame at most, where the table opens late in a flight.
 const AHEAD: u64 = 600;

@@ -6,11 +6,9 @@ use super::ruler::{Click, Ruler};
 use super::vectors::Scales;
 use super::{Stage, Tool};
 use crate::draw::layout::{Area, Frame, GRID, Vec2};
-use crate::game::Game;
-use crate::instruments::track::Trail;
-use crate::physics::BodyId;
 use crate::ui::{Ui, input::Input};
 use crate::view::focus::Focus;
+use crate::{game::Game, instruments::track::Trail, physics::BodyId};
 
 /// Ticks of reading in a frame, at most.
 const AHEAD: u64 = 600;
@@ -29,9 +27,9 @@ const TIGHT: f32 = 0.8;
 #[derive(Clone, Debug, Default)]
 pub struct Measures {
     pub(super) focus: Focus,
-    pub(super) trail: Trail,
+    pub trail: Trail,
     pub(super) scales: Scales,
-    pub(super) ruler: Ruler,
+    pub ruler: Ruler,
     pub(super) figures: Figures,
     pub(super) used: [bool; Tool::ALL.len()],
     pub(super) panels: Vec<(Tool, Area)>,
@@ -132,7 +130,6 @@ impl Measures {
         (self.trail, self.figures) = (Trail::default(), self.figures.flown_again());
     }
 
-    /// The flight was left at that tick and goes on otherwise.
     pub fn back_to(&mut self, tick: u64) {
         self.trail.back_to(tick);
         self.figures.back_to(tick);
@@ -140,14 +137,6 @@ impl Measures {
 
     pub fn areas(&self) -> impl Iterator<Item = Area> {
         self.panels.iter().map(|(_, area)| *area)
-    }
-
-    pub const fn trail(&self) -> &Trail {
-        &self.trail
-    }
-
-    pub const fn ruler(&self) -> &Ruler {
-        &self.ruler
     }
 
     pub const fn table(&self) -> &Table {

@@ -70,7 +70,6 @@ impl Measures {
         }
     }
 
-    /// The line from which potential energy counts.
     fn draw_zero(&self, game: &Game, view: &Viewport, canvas: &Canvas) {
         let (y, frame) = (view.point(self.figures.zero(game.level())).y, canvas.frame().area());
         if (frame.min.y..=frame.max().y).contains(&y) {

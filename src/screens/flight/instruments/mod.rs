@@ -14,15 +14,12 @@ mod vectors;
 use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Frame, Vec2};
 use crate::game::{Game, History};
-use crate::session::library::NewFile;
 use crate::settings::Action;
 use crate::ui::{Ui, input::Input};
 use crate::view::{focus::Focus, theme};
 use crate::words::tr;
-pub use figures::Table;
 pub use measure::Measures;
 pub use plot::{Plot, PlotPlaces};
-use std::path::PathBuf;
 use vary::Vary;
 
 /// A canvas with less than this many heights of the text in its width has room for one large panel.
@@ -83,8 +80,8 @@ pub struct Instruments {
     open: bool,
     used: [bool; Tool::ALL.len()],
     measures: Measures,
-    plot: Plot,
-    vary: Vary,
+    pub(super) plot: Plot,
+    pub(super) vary: Vary,
     /// Not in a replay.
     can_vary: bool,
 }
@@ -180,32 +177,10 @@ impl Instruments {
         self.vary.area()
     }
 
-    /// Whether the pointer leads something in the level: the view stands still.
-    pub fn holds_view(&self) -> bool {
-        self.vary.holds_view()
-    }
-
-    /// For the caller that fulfils its wishes and reports the outcome.
-    pub(super) const fn vary_mut(&mut self) -> &mut Vary {
-        &mut self.vary
-    }
-
     /// The same for another flight: panels stay open, readings go.
     #[must_use]
     pub fn of_another_flight(self) -> Self {
         Self { measures: self.measures.of_another_flight(), plot: self.plot.of_another_flight(), ..self }
-    }
-
-    pub fn take_seek(&mut self) -> Option<u64> {
-        self.plot.take_seek()
-    }
-
-    pub fn take_export(&mut self) -> Option<NewFile> {
-        self.plot.take_export()
-    }
-
-    pub fn report_export(&mut self, outcome: Result<PathBuf, String>) {
-        self.plot.report_export(outcome);
     }
 
     /// Whether a flight that has ended stays on the screen for its instruments.

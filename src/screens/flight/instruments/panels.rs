@@ -9,10 +9,8 @@ use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
 use crate::instruments::ledger::{centre_of_mass, velocity_of_centre};
-use crate::number::scalar;
-use crate::ui::Ui;
 use crate::view::{camera::Viewport, theme, widgets};
-use crate::words::tr;
+use crate::{number::scalar, ui::Ui, words::tr};
 
 impl Measures {
     /// Draws the ground of each panel, and the scales, which depend on the view.

@@ -2,10 +2,9 @@
 //! its track in this flight, and in the flight before. Each curve's value and slope at the world's moment, and the area below it.
 
 use super::{Plot, READINGS};
-use crate::game::History;
 use crate::instruments::quantity::{Quantity, Unit, VectorPart};
-use crate::instruments::track::BodyTrack;
 use crate::physics::{BodyId, ForceKind};
+use crate::{game::History, instruments::track::BodyTrack};
 
 /// A family's name and its quantities.
 pub type ChoiceRow = (&'static str, Vec<Quantity>);
@@ -82,10 +81,6 @@ impl PlotObject {
         self.before.as_ref().filter(|track| !track.is_empty())
     }
 
-    pub fn has_all_of(&self, history: &History) -> bool {
-        self.track().is_none_or(|track| track.tick_of(track.len() - 1) >= history.ticks())
-    }
-
     /// The flight was left at that tick; the run before may also differ beyond its own end.
     pub fn back_to(&mut self, history: &History, tick: u64) {
         if let Some(track) = &mut self.now {
@@ -131,15 +126,11 @@ impl Plot {
     }
 
     /// The places of the area: between the two marks, or from the start to the moment on the screen.
-    pub(super) fn stretch(&self, track: &crate::instruments::track::BodyTrack) -> (usize, usize) {
+    pub(super) fn stretch(&self, track: &BodyTrack) -> (usize, usize) {
         match self.span {
             Some((from, to)) => (track.place(from), track.place(to)),
             None => (0, track.place(self.now)),
         }
-    }
-
-    pub const fn across(&self) -> Quantity {
-        self.across
     }
 }
 

@@ -4,8 +4,7 @@
 use super::{Plot, SHORTEST};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
 use crate::instruments::{chart::Chart, quantity::Quantity};
-use crate::settings::Key;
-use crate::ui::input::Input;
+use crate::{settings::Key, ui::input::Input};
 
 /// The part of the stretch of time that a notch of the wheel leaves.
 const NOTCH: f64 = 0.8;
@@ -20,12 +19,6 @@ pub(super) enum Hand {
     End(u64),
 }
 
-impl Hand {
-    pub fn holds(self) -> bool {
-        self != Self::Empty
-    }
-}
-
 impl Plot {
     pub(super) fn follow_pointer(&mut self, input: &Input, (places, chart): (&PlotPlaces, &Chart), seekable: bool) {
         let over = places.plot.contains(input.pointer);
@@ -35,7 +28,7 @@ impl Plot {
         if !(input.holding || input.click) {
             self.hand = Hand::Empty;
         }
-        if !(self.hand.holds() || over && input.click) {
+        if !(self.hand != Hand::Empty || over && input.click) {
             return;
         }
         let Some(tick) = self.tick_at(input.pointer, places, chart) else { return };

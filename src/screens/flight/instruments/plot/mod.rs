@@ -10,15 +10,11 @@ use super::Stage;
 use crate::draw::layout::{Area, Frame, Vec2};
 use crate::game::{History, body_title};
 use crate::instruments::chart::{Chart, ChartMember, TimeWindow};
-use crate::instruments::curve::Curve;
-use crate::instruments::fit::FitLaw;
 use crate::instruments::quantity::{Quantity, VectorPart};
-use crate::instruments::track::BodyTrack;
+use crate::instruments::{curve::Curve, fit::FitLaw, track::BodyTrack};
 use crate::physics::{BodyId, DVec2};
-use crate::screens::flight::ahead::Ahead;
-use crate::session::library::NewFile;
 use crate::ui::{Ui, input::Input};
-use crate::words::tr;
+use crate::{screens::flight::pilot::Ahead, session::library::NewFile, words::tr};
 use choices::PlotObject;
 pub use hand::PlotPlaces;
 use hand::{Hand, MOST_LINES, READINGS};
@@ -77,8 +73,8 @@ pub struct Plot {
     large: bool,
     message: Option<(String, bool)>,
     waiting: Option<Format>,
-    export: Option<NewFile>,
-    seek: Option<u64>,
+    pub export: Option<NewFile>,
+    pub seek: Option<u64>,
     now: u64,
     ahead: Ahead,
     /// In the last pass.
@@ -139,7 +135,7 @@ impl Plot {
         }
         let mut rest = input.clone();
         // A click beside the open list only closes it.
-        if picking || places.panel.contains(input.pointer) || self.hand.holds() {
+        if picking || places.panel.contains(input.pointer) || self.hand != Hand::Empty {
             (rest.click, rest.wheel, rest.pointed) = (false, 0.0, None);
         }
         self.places = Some(places);
@@ -158,14 +154,6 @@ impl Plot {
         PlotPlaces::new(frame, self.large).panel
     }
 
-    pub fn take_seek(&mut self) -> Option<u64> {
-        self.seek.take()
-    }
-
-    pub fn take_export(&mut self) -> Option<NewFile> {
-        self.export.take()
-    }
-
     pub fn report_export(&mut self, outcome: Result<PathBuf, String>) {
         self.message = Some(match outcome {
             Ok(path) => (tr!("Written: {path}", path = path.display()), false),
@@ -173,7 +161,6 @@ impl Plot {
         });
     }
 
-    /// The flight was left at that tick and goes on otherwise.
     pub fn back_to(&mut self, history: &History, tick: u64) {
         self.objects.iter_mut().for_each(|object| object.back_to(history, tick));
         self.span = self.span.filter(|(_, to)| *to <= tick);
@@ -214,7 +201,8 @@ impl Plot {
         }
         self.compared = compared;
         self.refresh(false);
-        let all = self.objects.iter().all(|object| object.has_all_of(stage.history));
+        let is_read = |track: &BodyTrack| track.tick_of(track.len() - 1) >= stage.history.ticks();
+        let all = self.objects.iter().all(|object| object.track().is_none_or(is_read));
         if let (Some(format), true, true) = (self.waiting, all, frame_time > 0.0) {
             self.waiting = None;
             self.make_file(format, game);

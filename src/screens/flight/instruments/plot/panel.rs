@@ -3,18 +3,13 @@
 use super::choices::{self, PlotObject, choices};
 use super::hand::{MOST_LINES, PlotPlaces};
 use super::{Plot, PlotLine, along};
-use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Vec2};
-use crate::files::INPUTS;
-use crate::game::Game;
 use crate::instruments::chart::{self, Exported};
 use crate::instruments::fit::{Fit, FitLaw};
-use crate::instruments::quantity::Quantity;
-use crate::physics::BodyId;
-use crate::session::library::NewFile;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{lanes, theme};
 use crate::words::tr;
+use crate::{draw::Style, files::INPUTS, game::Game, instruments::quantity::Quantity, physics::BodyId, session::library::NewFile};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Action {
@@ -157,7 +152,11 @@ impl Plot {
                 let object = &mut self.objects[whose];
                 object.kept = if object.kept.is_some() { None } else { object.track().map(|track| track.body) };
             }
-            Action::Law => self.next_law(),
+            // From none through every law to none.
+            Action::Law => {
+                let next = self.law.map_or(0, |law| law as usize + 1);
+                (self.law, self.message) = (FitLaw::ALL.get(next).copied(), None);
+            }
             Action::Export(format) => (self.waiting, self.message) = (Some(format), None),
             Action::Whole => self.window = None,
             Action::Larger => self.large = !self.large,
@@ -175,35 +174,7 @@ impl Plot {
         }
         self.refresh(false);
     }
-}
 
-/// Returns the pressed action; tooltips stand above `top`, off the curves.
-fn row(ui: &mut Ui<'_>, buttons: &[PlotButton], areas: Vec<Area>, top: f32) -> Option<Action> {
-    let mut pressed = None;
-    for ((label, words, action), area) in buttons.iter().zip(areas) {
-        if ui.small_button((label, words), area, Style::new(DETAILS, theme::text()).centred()) {
-            pressed = Some(*action);
-        }
-        if let Some(tip) = action.tip() {
-            ui.tip_above(area, tip, top);
-        }
-    }
-    pressed
-}
-
-fn words(buttons: &[PlotButton]) -> Vec<String> {
-    buttons.iter().map(|(_, words, _)| words.clone()).collect()
-}
-
-/// A fit with all that it depends on.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Fitted {
-    of: (FitLaw, usize, Option<BodyId>, [Quantity; 2], (usize, usize)),
-    /// `None` where the stretch has too few points.
-    fit: Option<Fit>,
-}
-
-impl Plot {
     pub(super) fn refit(&mut self) {
         let selected = self.shown().find(|(number, ..)| *number == self.selected);
         let Some((law, (number, line, track))) = self.law.zip(selected) else {
@@ -228,12 +199,6 @@ impl Plot {
         Some(fit.words(line.up, self.across))
     }
 
-    /// From none through every law to none.
-    pub(super) fn next_law(&mut self) {
-        let next = self.law.map_or(0, |law| law as usize + 1);
-        (self.law, self.message) = (FitLaw::ALL.get(next).copied(), None);
-    }
-
     pub(super) fn make_file(&mut self, format: Format, game: &Game) {
         let curves: Vec<Exported> = self
             .shown()
@@ -256,4 +221,30 @@ impl Plot {
         let stem = chart::stem(&self.level, &curves);
         self.export = Some(NewFile { stem, ending, bytes: text.into_bytes(), what: tr("the curves"), same_up_to: INPUTS });
     }
+}
+
+/// Returns the pressed action; tooltips stand above `top`, off the curves.
+fn row(ui: &mut Ui<'_>, buttons: &[PlotButton], areas: Vec<Area>, top: f32) -> Option<Action> {
+    let mut pressed = None;
+    for ((label, words, action), area) in buttons.iter().zip(areas) {
+        if ui.small_button((label, words), area, Style::new(DETAILS, theme::text()).centred()) {
+            pressed = Some(*action);
+        }
+        if let Some(tip) = action.tip() {
+            ui.tip_above(area, tip, Some(top));
+        }
+    }
+    pressed
+}
+
+fn words(buttons: &[PlotButton]) -> Vec<String> {
+    buttons.iter().map(|(_, words, _)| words.clone()).collect()
+}
+
+/// A fit with all that it depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Fitted {
+    of: (FitLaw, usize, Option<BodyId>, [Quantity; 2], (usize, usize)),
+    /// `None` where the stretch has too few points.
+    fit: Option<Fit>,
 }

@@ -4,16 +4,13 @@
 mod places;
 
 use super::Stage;
-use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, Vec2};
-use crate::game::body_title;
 use crate::instruments::vary::{SliderTrack, Variation};
 use crate::level::{Level, Parameter};
-use crate::number::scalar;
-use crate::physics::BodyId;
 use crate::ui::{EntryEvent, EntryField, SliderMove, SliderShown, Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::{decimals, tr};
+use crate::{draw::Style, game::body_title, number::scalar, physics::BodyId};
 use places::{DragHold, Layout};
 
 const NAME: &str = "Name of the level";
@@ -81,7 +78,7 @@ pub struct Vary {
     message: Option<(String, bool)>,
     progress: Option<f64>,
     is_varied: bool,
-    wish: Option<VaryWish>,
+    pub wish: Option<VaryWish>,
     /// In an experiment, which has more lines: whether those of the level are shown, not those of the object; `None` elsewhere.
     of_level: Option<bool>,
     /// What the pointer leads in the level, and the place in [`Parameter::places`] of what it could lead.
@@ -109,10 +106,6 @@ impl Vary {
         }
         self.show_buttons(ui, varied.variation.is_some(), names_level);
         self.show_foot(ui);
-    }
-
-    pub const fn take_wish(&mut self) -> Option<VaryWish> {
-        self.wish.take()
     }
 
     pub fn set_message(&mut self, words: String, bad: bool) {
