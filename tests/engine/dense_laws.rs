@@ -17,6 +17,7 @@ fn wall() -> Vec<SurfaceDef> {
     vec![block(0.0, -100.0, 1.0, 100.0)]
 }
 
+/// From a height, m.
 fn bouncing(restitution: f64, height: f64) -> World {
     pile(vec![BodyDef { restitution, ..square(0.0, -0.5 - height) }], vec![block(-5.0, 0.0, 5.0, 1.0)], G)
 }

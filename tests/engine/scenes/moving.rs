@@ -5,6 +5,7 @@ use crate::support::strategies::{cases, materials};
 use proptest::prelude::*;
 use resultant::physics::{Aabb, BodyDef, DVec2, Event, Leg, Obstacle, Path, Sides, SurfaceDef, World, WorldDef};
 
+/// m.
 const ROOM: Aabb = Aabb::new(DVec2::ZERO, DVec2::new(24.0, 18.0));
 const SECONDS: f64 = 4.0;
 /// m. Of an overlap, for bodies that stand still; and of a fast body's path within a tick, as a part.
