@@ -20,7 +20,9 @@ pub const MAX_FALL: f64 = 0.8;
 const GAP: f64 = 1e-6;
 
 /// `LINE: MESSAGE`, to be put behind `FILE:`, with lines counted from 1, as an editor does.
-fn error(line: usize, message: impl fmt::Display) -> String {
+pub type InputError = String;
+
+fn error(line: usize, message: impl fmt::Display) -> InputError {
     format!("{line}: {message}")
 }
 
@@ -41,7 +43,7 @@ impl Map {
     ///
     /// # Errors
     /// The first of: another character, a second start, no start, no tiles at all.
-    pub fn parse(text: &str) -> Result<Self, String> {
+    pub fn parse(text: &str) -> Result<Self, InputError> {
         let mut solid = Vec::new();
         let mut start = None;
         for (line, row) in lines(text) {
@@ -102,7 +104,7 @@ impl Command {
     ///
     /// # Errors
     /// The first line with an unknown name, without a value, with a value that is no finite number, or with more behind it.
-    pub fn parse_all(text: &str) -> Result<Vec<Self>, String> {
+    pub fn parse_all(text: &str) -> Result<Vec<Self>, InputError> {
         let written = lines(text).filter(|(_, line)| !line.trim().is_empty());
         written.map(|(number, line)| Self::parse(line).map_err(|message| error(number, message))).collect()
     }

@@ -6,7 +6,7 @@
 use super::{CommandError, Status, project::Project};
 use crate::classics::jumper::{Climb, JumpKeys, JumperScene, parse};
 use crate::classics::pi::{Blocks, count, step_through};
-use crate::classics::tile_run::{Command, Map, Runner};
+use crate::classics::tile_run::{Command, InputError, Map, Runner};
 use crate::files::{INPUTS, TILE_COMMANDS, TILE_MAP};
 use crate::{game::TICK_RATE, number::Shortest};
 use std::path::{Path, PathBuf};
@@ -222,6 +222,6 @@ pub fn run_tiles(args: &TilesArgs, project: &Project, out: &mut dyn Write) -> Re
     Ok(Status::Done)
 }
 
-fn read<T>(project: &Project, path: &Path, at_most: u64, parse: impl Fn(&str) -> Result<T, String>) -> Result<T, CommandError> {
+fn read<T>(project: &Project, path: &Path, at_most: u64, parse: impl Fn(&str) -> Result<T, InputError>) -> Result<T, CommandError> {
     parse(&project.read_text(path, at_most)?).map_err(|error| CommandError::Refused(format!("{}:{error}", path.display())))
 }
