@@ -1,12 +1,9 @@
-//! The parts of all liquids that a body displaces, in closed form around a place.
-//!
-//! Between kinks, the places where a side of the body passes a side of a liquid, width and height within a liquid are linear in x and y: all
-//! buoyancy and drag are bilinear. The waves of each surface that cuts the body come besides. [`Displaced`] holds these forms with the box of
-//! places in which they are the law; a little beyond it they go on smoothly, as integrators need.
+//! The parts of all liquids that a body displaces, in closed form. Between kinks, where a side of the body passes a side of a liquid, width and height
+//! within a liquid are linear in x and y: buoyancy and drag are bilinear, and the waves of each surface that cuts the body come besides. [`Displaced`]
+//! has these forms and the box of places in which they are the law; a little beyond it they go on smoothly, as integrators need.
 
 use crate::physics::data::{Aabb, Body, Cubic, FluidDef, WAVES, earliest};
-use crate::physics::forces::media::Media;
-use crate::physics::forces::zones::ZoneList;
+use crate::physics::forces::{media::Media, zones::ZoneList};
 use glam::{BVec2, DVec2};
 use std::ops::AddAssign;
 
