@@ -1,5 +1,4 @@
 //! Flight through air: u′ = A − s(u)·u with the drag per mass s ([`crate::physics::forces::air`]) and the constant acceleration A.
-//!
 //! With q = exp(∫s dt) and Q = ∫q dt, u = (u₀ + A·Q)/q exactly, and Q″ = s(u₀ + A·Q) from Q = 0, Q′ = 1.
 //!
 //! - **Boxes.** While no component of u changes its sign, s is linear along the way: Q″ = s₀ + σ·Q, whose solution is
@@ -19,8 +18,7 @@ use glam::DVec2;
 const LIGHT: f64 = 0.0625;
 /// Round things: the fewest steps in which |u| may pass its minimum. Fewer: 1e-6 m are lost at the apex of a steep throw.
 const SHARP: f64 = 8.0;
-/// Steps of one body in one tick, at most. Speed falls by a part of [`LIGHT`] in each, and a gust of 1e54 times the terminal velocity
-/// needs some 3000; beyond, a body is taken to have reached its terminal velocity.
+/// Steps of one body in a tick, then it has its terminal velocity. Speed falls by a part of [`LIGHT`] in each: from 1e54 times that in some 3000.
 const MOST_STEPS: u32 = 16_384;
 
 /// u₁ = (u₀ + A·reach)·slower and x₁ = x₀ + (u₀·carry + A·lift) along both axes.

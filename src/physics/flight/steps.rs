@@ -1,15 +1,12 @@
 //! Steps through liquids by their own estimate of their error: the embedded Runge–Kutta pair of J. R. Dormand and P. J. Prince (1980), of fifth
-//! order; or, where stability would cut those short, implicit ones ([`crate::physics::flight::implicit`]).
-//!
-//! No step crosses a kink ([`crate::physics::forces::displaced`]), or a turn, where a component of the velocity changes its sign (|u|·u has a
-//! corner at 0). Small turns are passed over: a corner `τ` seconds from the end of a step of `h` seconds is worth about k·a²·τ³·h, with k the drag
-//! per m and a the acceleration.
+//! order; or, where stability would cut those short, implicit ones ([`crate::physics::flight::implicit`]). No step crosses a kink
+//! ([`crate::physics::forces::displaced`]), or a turn, where a component of the velocity changes its sign (|u|·u has a corner at 0) that matters.
 
 use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, Quintic, earliest};
 use crate::physics::flight::implicit;
 use crate::physics::forces::displaced::Displaced;
 use crate::physics::forces::liquid::{Bath, Regime, Slopes, Vertical};
-use glam::DVec2;
+use glam::{DVec2, DVec4};
 use std::array::from_fn;
 use std::ops::{Add, AddAssign, Mul};
 
@@ -41,17 +38,12 @@ impl Steps<'_> {
         (FLIGHT_TOLERANCE * (rate * rate) / (1e-4 * pull)).sqrt().sqrt() / rate
     }
 
-    /// One step of at most `h` of the `left` seconds.
-    ///
-    /// # Errors
-    /// How short a step would still resolve too little.
+    /// One step of at most `h` of the `left` seconds; or how short a step would still resolve too little.
     pub fn take(&self, pose: Pose, mut h: f64, left: f64) -> Result<Course, f64> {
-        let (x, v) = pose;
+        let ((x, v), shortest) = (pose, left * f64::EPSILON);
         let least = FLIGHT_TOLERANCE + 8.0 * f64::EPSILON * x.abs().max_element();
-        let shortest = left * f64::EPSILON;
         let pull = self.bath.acceleration(self.constant, v);
-        let mut next = h;
-        let (mut to_kink, mut shrunk) = (false, false);
+        let (mut next, mut to_kink, mut shrunk, mut cuts) = (h, false, false, 0);
         if !self.regime.displaced.holds_along([x + v * (0.5 * h), x + (v + pull * (0.5 * h)) * h])
             && let Some(kink) = self.regime.displaced.end_of(&Cubic::parabola(x, v, pull), h)
         {
@@ -62,7 +54,6 @@ impl Steps<'_> {
         {
             (h, to_kink) = (turn.max(shortest), false);
         }
-        let mut cuts = 0;
         loop {
             let step = self.step(pose, pull, h);
             let Step { end, pull: last, error } = step;
@@ -107,7 +98,7 @@ impl Steps<'_> {
     fn turn_ahead(&self, v: DVec2, pull: DVec2, h: f64, tolerance: f64) -> Option<f64> {
         let turn = |axis: usize| {
             let t = -v[axis] / pull[axis];
-            (t > 0.0 && t < h && self.turn(axis, v, pull).bends(t.min(h - t), h, tolerance)).then_some(t)
+            (t > 0.0 && t < h && self.bends(axis, (v, pull), t.min(h - t), h, tolerance)).then_some(t)
         };
         earliest(turn(0), turn(1))
     }
@@ -116,17 +107,19 @@ impl Steps<'_> {
     fn since_turn(&self, before: DVec2, Step { end: (_, v), pull, .. }: &Step, h: f64, tolerance: f64) -> Option<f64> {
         let turn = |axis: usize| {
             let t = if before[axis] * v[axis] < 0.0 { v[axis] / pull[axis] } else { 0.0 };
-            (t > 0.0 && self.turn(axis, *v, *pull).bends(t.min(h), h, tolerance)).then_some(t)
+            (t > 0.0 && self.bends(axis, (*v, *pull), t.min(h), h, tolerance)).then_some(t)
         };
         let (x, y) = (turn(0), turn(1));
         if x > y { x } else { y }
     }
 
-    fn turn(&self, axis: usize, v: DVec2, pull: DVec2) -> Turn {
-        let drag = &self.bath.drag;
-        let straight = if axis == 0 { drag.tall } else { drag.wide };
-        Turn { straight, round: drag.round, gain: pull[axis].abs(), beside: v[1 - axis].abs() }
+    /// Whether the corner of the drag at a turn, `t` seconds from an end of a step of `h` seconds, adds more than a tenth of the error allowed, m.
+    fn bends(&self, axis: usize, (v, pull): (DVec2, DVec2), t: f64, h: f64, tolerance: f64) -> bool {
+        let (drag, gain, beside) = (&self.bath.drag, pull[axis].abs(), v[1 - axis].abs());
+        let rate = if beside < gain * h { drag.round } else { 0.0 } + if axis == 0 { drag.tall } else { drag.wide };
+        rate * gain * (t * t) * h * (gain * t + beside) > 0.1 * tolerance
     }
+
     fn step(&self, (x, v): Pose, pull: DVec2, h: f64) -> Step {
         if let Some(slopes) = &self.slopes {
             let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
@@ -159,23 +152,6 @@ where
     }
     stages!(0 1 2 3 4 5);
     ((at, speeds[6]), pulls[6], [sum(&speeds, &ERROR) * h, sum(&pulls, &ERROR) * (h * h)])
-}
-
-/// Where a component of the velocity changes its sign: drag there per m, acceleration along it, and the speed along the other axis.
-struct Turn {
-    straight: f64,
-    round: f64,
-    gain: f64,
-    beside: f64,
-}
-
-impl Turn {
-    /// Whether the corner of the drag, `t` seconds from an end of a step of `h` seconds, adds more than a tenth of the error allowed, m.
-    fn bends(&self, t: f64, h: f64, tolerance: f64) -> bool {
-        let Self { straight, round, gain, beside } = *self;
-        let rate = if beside < gain * h { round } else { 0.0 } + straight;
-        rate * gain * (t * t) * h * (gain * t + beside) > 0.1 * tolerance
-    }
 }
 
 #[derive(Clone, Copy, Default)]
@@ -215,42 +191,13 @@ impl Bob {
     }
 }
 
-/// Numbers of bodies that bob side by side.
-#[derive(Clone, Copy)]
-struct Lanes([f64; 4]);
-
-impl Add for Lanes {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self(from_fn(|k| self.0[k] + other.0[k]))
-    }
-}
-
-impl AddAssign for Lanes {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl Mul<f64> for Lanes {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, factor: f64) -> Self {
-        Self(self.0.map(|part| part * factor))
-    }
-}
-
 /// A step of `h` seconds of each of them: while one waits for a result, the others go on.
 #[inline(always)]
 pub(crate) fn bob_side_by_side(of: &[Bob; 4], h: f64) -> [Step; 4] {
-    let law = |y: Lanes, v: Lanes| Lanes(from_fn(|k| of[k].law.pull(y.0[k], v.0[k])));
-    let lanes = |part: fn(&Bob) -> f64| Lanes(from_fn(|k| part(&of[k])));
+    let law = |y: DVec4, v: DVec4| DVec4::from_array(from_fn(|k| of[k].law.pull(y[k], v[k])));
+    let lanes = |part: fn(&Bob) -> f64| DVec4::from_array(from_fn(|k| part(&of[k])));
     let ((y, v), last, [way, speed]) = pair((lanes(|bob| bob.x.y), lanes(|bob| bob.v)), lanes(|bob| bob.pull), h, law);
-    from_fn(|k| Step::along(of[k].x.x, (y.0[k], v.0[k]), last.0[k], way.0[k].abs().max(speed.0[k].abs())))
+    from_fn(|k| Step::along(of[k].x.x, (y[k], v[k]), last[k], way[k].abs().max(speed[k].abs())))
 }
 
 /// Velocities and accelerations at the stages of a step.
@@ -343,7 +290,7 @@ const STAGES: [&[f64]; 6] = [
 /// The difference of its results of fifth and fourth order.
 const ERROR: [f64; 7] = [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// A Runge–Kutta method: its stages but the first, of which the last is its result, when they are in parts of a step, and the weights of its error.
+/// Its stages but the first, of which the last is its result, when they are in parts of a step, and the weights of its error.
 pub(crate) struct RungeKutta {
     pub stages: &'static [&'static [f64]],
     pub times: &'static [f64],
