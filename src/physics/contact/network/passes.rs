@@ -14,8 +14,7 @@ impl Network {
         })
     }
 
-    /// Every body hands its excess on to the bodies (or the ground) that it presses against, in equal shares, once it has got all of its own
-    /// (Kahn's order). Returns whether that settles the block: no contact would have to pull.
+    /// Each body hands its excess on to what it presses against, in equal shares, once it has got all (Kahn's order). Returns whether none has to pull.
     pub(super) fn passes(&mut self, block: Block, upwards: bool) -> bool {
         let tolerance = block.tolerance();
         let sign = if upwards { 1.0 } else { -1.0 };

@@ -1,5 +1,5 @@
-//! The general case: a maximum flow along shortest paths, and a cut where it gets stuck (Ford and Fulkerson 1956, Edmonds and
-//! Karp 1972). One search serves all goals that are equally near, as in Dinic 1970.
+//! A maximum flow along shortest paths, and a cut where it gets stuck (Ford and Fulkerson 1956, Edmonds and Karp 1972). One search serves all goals
+//! that are equally near, as in Dinic 1970.
 
 use crate::physics::contact::network::grounds::side_of;
 use crate::physics::contact::network::{Block, Carries, GROUND, Network, Side};
@@ -22,9 +22,7 @@ impl Network {
             self.augment_all(block);
         }
         // Nodes reached from unrouted excess are faster.
-        for at in block.begin..block.end {
-            self.notes[self.order[at] as usize].side = Side::Same;
-        }
+        self.order[block.begin..block.end].iter().for_each(|i| self.notes[*i as usize].side = Side::Same);
         self.mark_reached(block, Side::Faster);
         if block.ground.is_some() {
             while self.search(block, From::Ground) {
@@ -45,8 +43,7 @@ impl Network {
         }
     }
 
-    /// Breadth first to the nearest lacks, all those that are equally near, or, from all excess, the ground; from all lack against the flow.
-    /// `came_by` says how. Returns whether there are `goals`.
+    /// Breadth first to the nearest lacks or, from all excess, the ground; from all lack against the flow. Returns whether there are `goals`.
     fn search(&mut self, block: Block, from: From) -> bool {
         let (ground, tolerance) = (self.nodes.len(), block.tolerance());
         self.queue.clear();
@@ -120,9 +117,8 @@ impl Network {
         let mut node = goal;
         while self.notes[self.slot(node)].came_by != START {
             let link = &self.links[self.notes[self.slot(node)].came_by as usize];
-            let from = link.other(node);
-            amount = amount.min(link.room(from));
-            node = from;
+            node = link.other(node);
+            amount = amount.min(link.room(node));
         }
         if node != GROUND {
             amount = amount.min(self.notes[node as usize].excess);
@@ -136,9 +132,9 @@ impl Network {
         let mut node = goal;
         while self.notes[self.slot(node)].came_by != START {
             let index = self.notes[self.slot(node)].came_by as usize;
-            let from = self.links[index].other(node);
-            self.links[index].flow += if self.links[index].lo == from { amount } else { -amount };
-            node = from;
+            let link = &mut self.links[index];
+            node = link.other(node);
+            link.flow += if link.lo == node { amount } else { -amount };
         }
         if goal != GROUND {
             self.notes[goal as usize].excess += amount;
