@@ -90,8 +90,7 @@ impl Events {
         }
     }
 
-    /// Lists what lasting contacts have passed on in this tick beyond their force at its end, and its rounding: of what came and went within it.
-    /// Media change a force all the time.
+    /// Lists what lasting contacts have passed on in this tick beyond their force at its end: of what came and went. Media change a force all the time.
     pub(crate) fn list_surplus(&mut self, scene: &Scene) {
         for index in 0..self.contacts.len() {
             let contact = self.contacts[index];
@@ -117,8 +116,7 @@ impl Events {
                 }
             }
             if self.stays(&contact) {
-                let slides = self.slides(&contact);
-                let passed = self.passed_by(&contact);
+                let (slides, passed) = (self.slides(&contact), self.passed_by(&contact));
                 let fresh = Contact { closed: true, lasts: true, clings: false, passed, ..contact };
                 self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
             }
@@ -146,9 +144,8 @@ impl Events {
 
     /// Which way a contact slides now: a speed that is nothing but rounding is none.
     pub(crate) fn slides(&self, contact: &Contact) -> f64 {
-        let along = 1 - contact.axis;
         let sliding = self.sliding(contact);
-        let rounding = self.speed_rounding(contact)[along] + SPEED_ROUNDING * contact.skin.abs();
+        let rounding = self.speed_rounding(contact)[1 - contact.axis] + SPEED_ROUNDING * contact.skin.abs();
         if sliding.abs() <= rounding { 0.0 } else { sliding.signum() }
     }
 
@@ -171,9 +168,7 @@ impl Events {
             next += 1;
         }
         self.take_contacts_of_concerned();
-        for index in 0..self.trial.len() {
-            self.locate(scene, self.trial[index].ends().1 as usize);
-        }
+        (0..self.trial.len()).for_each(|index| _ = self.locate(scene, self.trial[index].ends().1 as usize));
         self.before.clone_from(&self.speeds);
         let parts = Parts { masses: &self.masses, free: &self.before };
         self.reactions.joined.merge_speeds(&stopped, &self.trial, &parts, &mut self.speeds);

@@ -1,6 +1,5 @@
-//! What links join, or contacts in media, and moves: Runge–Kutta steps of fifth or third order ([`crate::physics::flight::steps`]) with a contact solve
-//! at each stage, so that bodies that press on each other fly as one. A step ends where a liquid begins or ends, where a link bends or breaks, or where a
-//! contact begins to part or to slip.
+//! What links join, or contacts in media, and moves: Runge–Kutta steps of fifth or third order with a contact solve at each stage, so that bodies that
+//! press on each other fly as one. A step ends where a liquid begins or ends, a link bends or breaks, or a contact begins to part or to slip.
 
 use crate::physics::data::{Contact, Cubic, EVENTS_OF_A_BODY, FORCE_TOLERANCE, LONGEST_SHORT, Pose, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
@@ -21,21 +20,19 @@ const LEAST: f64 = SHORTEST * SHORTEST * SHORTEST;
 const MOST_ERROR: [f64; 2] = [1e-10, 1e-11];
 
 impl Events {
-    /// Gives the items concerned that links or contacts join paths for `left` seconds, or up to an event. Returns false where they are too stiff for
-    /// that, or half of the budget of events is used up.
+    /// Gives what links or contacts join paths for `left` seconds, or up to an event. Returns false where that is too stiff, or uses up the budget.
     pub(crate) fn fly_coupled(&mut self, scene: &Scene, left: f64) -> bool {
         let afloat = self.rests_afloat(scene);
-        let found = self.find_step(scene, self.while_slides_last(left), afloat);
-        let Some((h, changes)) = found else {
+        let Some((h, changes)) = self.find_step(scene, self.while_slides_last(left), afloat) else {
             self.guards.flows_cut_short += u64::from(!self.links.is_empty());
             return false;
         };
         for (step, i) in self.coupled.iter().zip(&self.concerned) {
             let item = &mut self.items[*i as usize];
-            let rests = item.motion == Travel::Still && step.end.1.length() <= SPEED_TOLERANCE;
             if !matches!(item.motion, Travel::Parabola | Travel::Still) {
                 continue;
             }
+            let rests = item.is_still() && step.end.1.length() <= SPEED_TOLERANCE;
             item.until = item.until.min(self.now + h);
             if step.bends && !rests {
                 item.motion = Travel::Coupled;
@@ -146,10 +143,10 @@ impl Events {
     fn step_coupled(&mut self, scene: &Scene, method: &RungeKutta, h: f64, afloat: bool) -> f64 {
         self.coupled.clear();
         self.changed = false;
-        for &i in &self.concerned {
-            let body = &self.items[i as usize].body;
-            self.coupled.push(CoupledStep::new((body.position, body.velocity), self.solved[i as usize]));
-        }
+        self.coupled.extend(self.concerned.iter().map(|i| {
+            let body = &self.items[*i as usize].body;
+            CoupledStep::new((body.position, body.velocity), self.solved[*i as usize])
+        }));
         for (stage, (weights, time)) in (1..).zip(method.stages.iter().zip(method.times)) {
             self.coupled.iter_mut().for_each(|step| step.end = step.stages.at(weights, h));
             self.pull_coupled(scene, h * time);

@@ -1,5 +1,5 @@
-//! Impacts in rounds, the fastest first, until nothing approaches (`docs/physics.md`, Impacts and their order). All hits of an instant come before
-//! those that they bring about: in a round no body is struck twice, but by hits that tie.
+//! Impacts in rounds, the fastest first, until nothing approaches (`docs/physics.md`, Impacts and their order). In a round no body is struck twice, but
+//! by hits that tie.
 
 use crate::physics::contact::axis::Parts;
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
@@ -66,8 +66,8 @@ impl Events {
         any
     }
 
-    /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is pulled back at
-    /// once, it stays, or the two sides would take turns for ever. Where a surface would squeeze a body, it only stops.
+    /// The plastic solve of all that touches. A push on one side may lift a body off the other by next to nothing; where it is pulled back at once,
+    /// it stays, or the two sides would take turns for ever. A surface that would squeeze a body only stops.
     fn stop_together(&mut self, scene: &Scene) {
         let mut touching = std::mem::take(&mut self.touching);
         let mut may_cling = true;
@@ -118,20 +118,14 @@ impl Events {
             }
         }
         self.reactions.joined.squeezed = squeezed;
-        for index in known..self.squeezed.len() {
-            self.halt(scene, self.squeezed[index].1);
-        }
+        (known..self.squeezed.len()).for_each(|index| self.halt(scene, self.squeezed[index].1));
         self.squeezed.len() > known
     }
 
     /// Whether two items part so slowly that they rest on each other, if nothing pulls them apart.
     pub(crate) fn clings(&self, scene: &Scene, contact: &Contact) -> bool {
-        let approach = self.approach(contact);
-        if !(-MICRO_SPEED..0.0).contains(&approach) {
-            return false;
-        }
         let tried = |item: u32| self.items[item as usize].clung > MAX_CLINGS;
-        if tried(contact.lo) || tried(contact.hi) {
+        if !(-MICRO_SPEED..0.0).contains(&self.approach(contact)) || contact.pair().into_iter().any(tried) {
             return false;
         }
         (self.pull(scene, contact.lo) - self.pull(scene, contact.hi))[contact.axis] >= 0.0
@@ -147,8 +141,7 @@ impl Events {
         }
     }
 
-    /// The next pair: its index, closing speed and restitution. Bouncing pairs first, of them those not struck in this
-    /// round, and of these the fastest.
+    /// The next pair: its index, closing speed and restitution. Bouncing pairs first, of them those not struck in this round, of these the fastest.
     fn next_impact(&self, scene: &Scene) -> Option<(usize, f64, f64)> {
         let mut best = None;
         for (index, contact) in self.touching.iter().enumerate() {
@@ -225,8 +218,7 @@ impl Events {
         self.begin_train(scene, &contact, e * speed, e);
     }
 
-    /// The velocity of `hi` relative to `lo` along the other axis, m/s, where two corners have met that close along both axes alike: neither face is hit
-    /// before the other, so both are, and nothing slides.
+    /// The velocity of `hi` relative to `lo` along the other axis, m/s, where two corners have met that close along both axes alike: both faces are hit.
     fn closing_at_a_corner(&self, contact: &Contact, speed: f64) -> Option<f64> {
         let (lo, hi, along) = (contact.lo as usize, contact.hi as usize, 1 - contact.axis);
         let apart = (self.places[hi] - self.places[lo])[along];

@@ -112,8 +112,7 @@ impl Events {
         if let Some((t, axis)) = at_once.or_else(|| time_of_impact(&motion, reach, end, sides)) {
             let path = motion.axis(axis);
             let side = path.at(t).signum();
-            // Such roundings of two places would sink into each other by less than 1e-11 m within a tick; the errors of a step of two that press by
-            // less than 1e-10 m until it ends.
+            // Roundings of two places sink in by less than 1e-11 m within a tick; errors of a step of two that press by less than 1e-10 m until it ends.
             let left = if press { mine.until.min(other.until) - now - t } else { f64::INFINITY };
             let (slow, slight) = (SPEED_TOLERANCE.max(1e-10 / left), 1e-6_f64.max(1e-10 / (left * left)));
             if -side * path.slope(t) > slow || -side * path.curvature(t) > slight {
@@ -149,16 +148,11 @@ impl Events {
 
     fn next_border(&mut self, scene: &Scene, i: usize, next: &mut Next) {
         let (item, track) = (&self.items[i], &self.tracks[i]);
-        if track.is_still() || self.streams.is_empty() {
+        if track.is_still() || self.streams.is_empty() || self.borders[i].is_empty() || item.crossed.0 >= MOST_BORDERS {
             return;
         }
-        let end = track.until - self.now;
-        let near = &self.borders[i];
-        if near.is_empty() || self.items[i].crossed.0 >= MOST_BORDERS {
-            return;
-        }
-        let (way, pose) = (track.way_from(self.now), item.pose(scene.media, self.now));
-        for stream in near.iter() {
+        let (way, pose, end) = (track.way_from(self.now), item.pose(scene.media, self.now), track.until - self.now);
+        for stream in self.borders[i].iter() {
             let zone = &scene.media.streams[stream as usize].zone;
             let inside = zones::feels(zone, &item.body, pose);
             if zones::stays(&track.swept, item.body.half, zone, inside) {
@@ -182,8 +176,7 @@ fn reach_of(motion: &Cubic, mut reach: DVec2, sides: Sides) -> DVec2 {
     reach
 }
 
-/// When two boxes that lie in one plane come to face each other across it, and along which axis. They overlap by more than the slop then, however
-/// the time is rounded.
+/// When boxes in one plane come to face each other across it, and along which axis. They overlap by more than the slop then, however time is rounded.
 fn begins_flush(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<(f64, usize)> {
     let along = |axis: usize| {
         let (across, other) = (motion.axis(axis), 1 - axis);
