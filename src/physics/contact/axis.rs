@@ -37,12 +37,10 @@ impl Joined {
     pub(super) fn number(&mut self, contacts: &[Contact], parts: &Parts) {
         refill(&mut self.node_of, parts.free.len(), GROUND);
         self.body_of.clear();
-        for contact in contacts {
-            for item in [contact.lo, contact.hi] {
-                if (item as usize) < parts.masses.len() && self.node_of[item as usize] == GROUND {
-                    self.node_of[item as usize] = self.body_of.len() as u32;
-                    self.body_of.push(item);
-                }
+        for item in contacts.iter().flat_map(Contact::pair) {
+            if (item as usize) < parts.masses.len() && self.node_of[item as usize] == GROUND {
+                self.node_of[item as usize] = self.body_of.len() as u32;
+                self.body_of.push(item);
             }
         }
     }
@@ -60,8 +58,8 @@ impl Joined {
             let rounding = if contact.axis == axis { MICRO_SPEED } else { SPEED_TOLERANCE };
             let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= rounding;
             if alike || contact.is_of(stopped.lo, stopped.hi) {
-                let ends = (self.node_of[contact.lo as usize], self.node_of[contact.hi as usize]);
-                network.link(ends.0, ends.1, Carries::UpTo(f64::INFINITY), ground(contact, parts, axis, skin));
+                let [lo, hi] = contact.pair().map(|item| self.node_of[item as usize]);
+                network.link(lo, hi, Carries::UpTo(f64::INFINITY), ground(contact, parts, axis, skin));
             }
         }
         network.solve();
@@ -94,11 +92,10 @@ impl Joined {
     fn set_nodes(&mut self, axis: usize, parts: &Parts, frame: f64) {
         let network = &mut self.networks[axis];
         network.clear();
-        for &body in &self.body_of {
+        network.nodes.extend(self.body_of.iter().map(|&body| {
             let mass = parts.masses[body as usize][axis];
-            let force = mass * (parts.free[body as usize][axis] - frame);
-            network.nodes.push(NetworkNode { mass, force, acceleration: 0.0 });
-        }
+            NetworkNode { mass, force: mass * (parts.free[body as usize][axis] - frame), acceleration: 0.0 }
+        }));
     }
 
     pub(super) fn give(&self, axis: usize, to: &mut [DVec2]) {
@@ -115,8 +112,7 @@ impl Joined {
             return 0.0;
         }
         let of = |body: &u32| (parts.masses[*body as usize][axis], parts.free[*body as usize][axis]);
-        let heaviest = self.body_of.iter().map(of).max_by(|a, b| a.0.total_cmp(&b.0));
-        let (mass, frame) = heaviest.unwrap_or_default();
+        let (mass, frame) = self.body_of.iter().map(of).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
         let otherwise: f64 = self.body_of.iter().map(of).map(|(mass, free)| mass * (free - frame).abs()).sum();
         // A body that less pulls at would lose it to rounding in that frame.
         let falls = self.body_of.iter().map(of).all(|(_, free)| free.abs() >= 1e-6 * frame.abs());

@@ -1,8 +1,5 @@
-//! Contact forces: accelerations with Reaction, Push and Friction.
-//!
-//! Each axis is a network solved exactly; Coulomb's law couples them. Gravity's axis goes first, then the other with the friction that follows, and
-//! round again only where a contact slides along a wall that it is pressed against. The same solve with velocities in place of accelerations is the
-//! perfectly plastic impact.
+//! Contact forces. Each axis is a network solved exactly; Coulomb's law couples them. Gravity's axis goes first, then the other with the friction that
+//! follows, and round again only where a contact slides along a wall that it is pressed against. With velocities it is the perfectly plastic impact.
 
 use crate::physics::contact::axis::{Joined, Parts, Question, ground};
 use crate::physics::data::{Contact, FORCE_TOLERANCE, FRICTION_ROUNDS, first, on_axis};
@@ -42,7 +39,7 @@ impl Reactions {
                 return;
             }
         }
-        if self.find_groups(contacts, parts.masses.len()) <= 1 {
+        if contacts.len() == 1 || self.find_groups(contacts, parts.masses.len()) == 1 {
             return self.accelerate_group(contacts, parts, out);
         }
         let mut group = std::mem::take(&mut self.group);
@@ -51,18 +48,13 @@ impl Reactions {
             group.clear();
             group.extend(members.iter().map(|&(_, index)| contacts[index as usize]));
             self.accelerate_group(&mut group, parts, out);
-            for (&(_, index), &contact) in members.iter().zip(&group) {
-                contacts[index as usize] = contact;
-            }
+            members.iter().zip(&group).for_each(|(&(_, index), &contact)| contacts[index as usize] = contact);
         }
         (self.group, self.by_group) = (group, by_group);
     }
 
     /// Lists each contact with its group in `by_group`, group by group. Returns how many groups there are. Surfaces join nothing.
     fn find_groups(&mut self, contacts: &[Contact], bodies: usize) -> usize {
-        if contacts.len() <= 1 {
-            return contacts.len();
-        }
         let leader = &mut self.leader;
         leader.clear();
         leader.extend(0..bodies as u32);
@@ -100,12 +92,8 @@ impl Reactions {
 
     /// The rounds between the two axes. Returns how many it took; none where they did not settle.
     fn couple_axes(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) -> Option<u32> {
-        for &body in &self.joined.body_of {
-            out[body as usize] = parts.free[body as usize];
-        }
-        for contact in contacts.iter_mut() {
-            (contact.begun, contact.gave_way) = (contact.normal, false);
-        }
+        self.joined.body_of.iter().for_each(|body| out[*body as usize] = parts.free[*body as usize]);
+        contacts.iter_mut().for_each(|contact| (contact.begun, contact.gave_way) = (contact.normal, false));
         self.pressed.clear();
         self.solutions.iter_mut().for_each(Vec::clear);
         for round in 0..FRICTION_ROUNDS {
@@ -177,8 +165,8 @@ impl Reactions {
         self.joined.body_of.iter().all(|body| parts.free[*body as usize][axis] == 0.0) && contacts.iter().all(rests)
     }
 
-    /// The end of rounds that do not settle, because a wall can carry its load in several ways: limits of friction on walls follow pressures
-    /// downwards only, and are 0 where that does not end either. Friction stays inside its cone; some contacts rub less than they could.
+    /// Where rounds do not settle, because a wall can carry its load in several ways: limits of friction on walls follow pressures downwards only,
+    /// and are 0 where that does not end either. Friction stays inside its cone; some contacts rub less than they could.
     fn yield_friction(&mut self, contacts: &mut [Contact], parts: &Parts, out: &mut [DVec2]) {
         self.unsettled += 1;
         for round in 0.. {
@@ -214,9 +202,7 @@ impl Reactions {
     pub fn collide(&mut self, contacts: &mut [Contact], parts: &Parts, velocities: &mut [DVec2]) {
         self.joined.squeezed.clear();
         self.joined.number(contacts, parts);
-        for contact in contacts.iter_mut() {
-            contact.normal = 0.0;
-        }
+        contacts.iter_mut().for_each(|contact| contact.normal = 0.0);
         for axis in [1, 0, 1] {
             self.joined.solve_axis(axis, contacts, parts, Question::Impulses);
             self.joined.give(axis, velocities);
@@ -242,9 +228,8 @@ fn gain(contact: &Contact, parts: &Parts, accelerations: &[DVec2]) -> f64 {
     of(contact.hi) - of(contact.lo)
 }
 
-/// Sets Reaction and Friction of a contact between a body of `mass` (kg, along each axis) and a face. Returns the acceleration of the body from
-/// the `free` one, m/s², both as seen from the face; none, and nothing done, where the body does not press or nothing draws it along a wall.
-/// `body_is_hi`: on which side of the contact it is.
+/// Sets Reaction and Friction of a contact between a body of `mass` (kg, along each axis) and a face. Returns its acceleration from the `free` one,
+/// m/s², both as seen from the face; none, and nothing done, where it does not press or nothing draws it along a wall.
 fn press_on_face(contact: &mut Contact, mass: DVec2, free: DVec2, body_is_hi: bool) -> Option<DVec2> {
     let (axis, along) = (contact.axis, 1 - contact.axis);
     let away = if body_is_hi { 1.0 } else { -1.0 };

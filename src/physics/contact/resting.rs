@@ -1,5 +1,4 @@
-//! A group of bodies at rest on which another force acts across than before: whether its contacts can take up the change, beginning with the forces
-//! that they had, so that no network is solved from scratch where nothing moves.
+//! Whether the contacts of a group at rest can take up another force across, beginning with those that they had: no network is solved from scratch.
 
 use crate::physics::contact::network::{Carries, GROUND, Network, NetworkNode};
 use crate::physics::data::{Contact, FORCE_TOLERANCE};

@@ -1,7 +1,6 @@
 //! Bodies: what moves.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::material::{Coefficients, Material};
+use crate::physics::data::{aabb::Aabb, material::Coefficients, material::Material};
 use glam::DVec2;
 
 /// Place (m) and velocity (m/s).

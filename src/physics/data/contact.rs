@@ -1,7 +1,6 @@
 //! Contacts, and what impacts pass on.
 
-use crate::physics::data::body::BodyId;
-use crate::physics::data::material::Coefficients;
+use crate::physics::data::{body::BodyId, material::Coefficients};
 use glam::DVec2;
 
 /// Two boxes that touch. Along `axis` `lo` has the smaller coordinate. Items are the bodies of an island in ascending order, then its surfaces.
@@ -78,8 +77,7 @@ pub enum Obstacle {
     Body(BodyId),
 }
 
-/// What one impact passed on: to `a` the impulse, and to `b`, if that is a body, the opposite. Shown by the name "Impact". Or what a contact that has
-/// ended within the tick had passed on in it: no list of forces has that.
+/// What one impact passed on to `a`, and the opposite to a body `b`; or what a contact that ended within the tick did: no list of forces has that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Impulse {
     /// The body that felt it.
@@ -102,11 +100,8 @@ impl Impulse {
 
     /// What a body felt of it, N·s, and from what.
     pub fn on(&self, body: BodyId) -> Option<(DVec2, Obstacle)> {
-        if self.a == body {
-            Some((self.vector, self.b))
-        } else {
-            (self.b == Obstacle::Body(body)).then_some((-self.vector, Obstacle::Body(self.a)))
-        }
+        let opposite = || (self.b == Obstacle::Body(body)).then_some((-self.vector, Obstacle::Body(self.a)));
+        if self.a == body { Some((self.vector, self.b)) } else { opposite() }
     }
 }
 

@@ -1,14 +1,8 @@
 //! How a world begins, and the refusals at the door: no number that is accepted becomes non-finite.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::BodyDef;
-use crate::physics::data::domain::{
-    self, DefError, LIQUIDS_OVERLAP, MOST_LIQUIDS, MOST_ZONES, Range, SMALLEST, at_most, both, expect, material, number, rectangle,
-    restitution, vector, within,
-};
-use crate::physics::data::link::LinkDef;
-use crate::physics::data::material::Material;
-use crate::physics::data::surface::SurfaceDef;
+use crate::physics::data::domain::{self, DefError, LIQUIDS_OVERLAP, MOST_LIQUIDS, MOST_ZONES, Range, SMALLEST};
+use crate::physics::data::domain::{at_most, both, expect, material, number, rectangle, restitution, vector, within};
+use crate::physics::data::{aabb::Aabb, body::BodyDef, link::LinkDef, material::Material, surface::SurfaceDef};
 use glam::DVec2;
 
 /// A zone that exerts a constant force named "Wind" on every body that touches it.
@@ -86,8 +80,7 @@ impl Default for WorldDef {
 }
 
 impl WorldDef {
-    /// # Errors
-    /// A number that is not finite or out of its range; too many zones; liquids that overlap.
+    /// Refuses a number that is not finite or out of its range; too many zones; liquids that overlap.
     pub(crate) fn check(&self) -> Result<(), DefError> {
         at_most("streams", self.streams.len(), MOST_ZONES)?;
         at_most("fields", self.fields.len(), MOST_ZONES)?;
@@ -123,8 +116,6 @@ impl WorldDef {
 }
 
 impl BodyDef {
-    /// # Errors
-    /// As [`WorldDef::check`].
     pub(crate) fn check(&self) -> Result<(), DefError> {
         vector("a body's position", self.position)?;
         both("a body's velocity", self.velocity, domain::LAB_SPEED)?;

@@ -1,7 +1,6 @@
 //! The domain: the ranges of numbers that a level may hold, both ends included, and the refusals of others.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::material::Material;
+use crate::physics::data::{aabb::Aabb, material::Material};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,8 +61,7 @@ pub(crate) const MOST_LIQUIDS: usize = 16;
 /// m. The insides of two liquids may share so much: the rounding of places in pixels.
 pub(crate) const LIQUIDS_OVERLAP: f64 = 1e-6;
 
-/// # Errors
-/// The reason, unless the condition `holds`.
+/// Refuses by the reason, unless the condition `holds`.
 pub(crate) fn expect(holds: bool, reason: impl FnOnce() -> String) -> Result<(), DefError> {
     if holds { Ok(()) } else { Err(DefError(reason())) }
 }

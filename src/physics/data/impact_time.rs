@@ -1,11 +1,7 @@
-//! When two moving boxes meet: times of impact on cubics, one an axis.
-//!
-//! Boxes meet where the distance of their centres along one axis falls to the sum of their halves while they overlap along the other.
-//! Crossings are bracketed on the cubic's monotone pieces and found by Newton's method inside the bracket: none is missed at any speed.
+//! When two boxes meet: where the distance of their centres along one axis falls to the sum of their halves while they overlap along the other.
+//! Crossings are bracketed on the monotone pieces of cubics and found by Newton's method inside the bracket: none is missed at any speed.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::surface::Sides;
-use crate::physics::data::tuning::{SLOP, SPEED_TOLERANCE};
+use crate::physics::data::{aabb::Aabb, surface::Sides, tuning::SLOP, tuning::SPEED_TOLERANCE};
 use glam::DVec2;
 
 /// x(t) = c₀ + c₁t + c₂t² + c₃t³, m, for each axis.
@@ -101,10 +97,9 @@ impl Polynomial {
     /// Bounds of its values on [0, t]: the hull of its Bézier points.
     pub fn bounds(&self, t: f64) -> (f64, f64) {
         let (c, third) = (&self.0, t / 3.0);
-        let p0 = c[0];
+        let (p0, p3) = (c[0], self.at(t));
         let p1 = p0 + c[1] * third;
         let p2 = p1 + (c[1] + c[2] * t) * third;
-        let p3 = self.at(t);
         (p0.min(p1).min(p2.min(p3)), p0.max(p1).max(p2.max(p3)))
     }
 
@@ -132,11 +127,7 @@ impl Polynomial {
         let converged = 4.0 * f64::EPSILON;
         for _ in 0..60 {
             let (value, slope) = (self.at(t), self.slope(t));
-            if value > 0.0 {
-                begin = t;
-            } else {
-                end = t;
-            }
+            (begin, end) = if value > 0.0 { (t, end) } else { (begin, t) };
             let newton = t - value / slope;
             let next = if newton > begin && newton < end {
                 newton
@@ -164,8 +155,7 @@ pub(crate) struct Stretch {
 }
 
 impl Stretch {
-    /// The first t in (from, end] at which it falls to `level` from above, or falls back from a rise that ended at it (within [`SLOP`] below: boxes
-    /// that parted by a rounding and come back).
+    /// The first t in (from, end] at which it falls to `level`, or falls back from a rise that ended within [`SLOP`] below: boxes that come back.
     pub fn falls_through(&self, level: f64, from: f64) -> Option<f64> {
         let (least, most) = self.bounds;
         if least > level + SLOP || most < level - 3.0 * SLOP {
@@ -199,7 +189,7 @@ impl Stretch {
 }
 
 /// How far boxes that met along both axes at once overlap along the `other` one at least, m, when they are the slop deep along an axis on which they
-/// move with `closing` m/s: half as far as they must, however the time is rounded. So the faster axis is hit. What slides along a face never meets it.
+/// close with `closing` m/s: half of what they must. So the faster axis is hit, and what slides along a face never meets it.
 fn least_at_a_corner(closing: f64, other: &Polynomial, t: f64) -> f64 {
     let closes = -other.at(t).signum() * other.slope(t);
     if closes > SPEED_TOLERANCE { 0.5 * SLOP * (closes / closing.abs()).min(1.0) } else { f64::INFINITY }

@@ -39,9 +39,7 @@ impl LinkLaw {
     /// The numbers that decide about its force.
     pub const fn numbers(&self) -> [f64; 3] {
         match *self {
-            Self::Spring(Spring { length, stiffness, damping }) | Self::Rope(Spring { length, stiffness, damping }) => {
-                [length, stiffness, damping]
-            }
+            Self::Spring(spring) | Self::Rope(spring) => [spring.length, spring.stiffness, spring.damping],
             Self::Magnet(Magnet { strength, nearest }) => [strength, nearest, 0.0],
         }
     }
@@ -122,8 +120,7 @@ impl LinkDef {
         (to - x, w - v)
     }
 
-    /// # Errors
-    /// A number that is not finite or negative; an end that is no body; a body that is linked to itself.
+    /// Refuses a number that is not finite or negative; an end that is no body; a body that is linked to itself.
     pub(crate) fn check(&self, bodies: &[Body]) -> Result<(), DefError> {
         let least = if matches!(self.law, LinkLaw::Magnet(_)) { -LARGEST } else { 0.0 };
         self.law.numbers().into_iter().try_for_each(|value| number("a number of a link", value, least))?;

@@ -32,9 +32,7 @@ impl Incidence {
     pub fn index(&mut self, items: usize, pairs: impl DoubleEndedIterator<Item = [u32; 2]> + ExactSizeIterator + Clone) {
         // Count, sum up to where each item's pairs end, and fill from the back.
         refill(&mut self.first, items + 1, 0);
-        for item in pairs.clone().flatten() {
-            self.first[item as usize] += 1;
-        }
+        pairs.clone().flatten().for_each(|item| self.first[item as usize] += 1);
         let mut all = 0;
         for count in &mut self.first {
             all += *count;

@@ -13,8 +13,7 @@ pub(crate) mod tuning;
 
 pub(crate) use aabb::Aabb;
 pub(crate) use body::{Body, BodyDef, BodyId, Pose, on_axis, parabola};
-pub(crate) use contact::Contact;
-pub(crate) use contact::{Hit, Impulse, Obstacle};
+pub(crate) use contact::{Contact, Hit, Impulse, Obstacle};
 pub(crate) use def::{FieldDef, FluidDef, StreamDef, WorldDef};
 pub(crate) use impact_time::{Cubic, Polynomial, Quintic, earliest, time_of_impact};
 pub(crate) use link::{LinkDef, LinkEnd, LinkLaw, Magnet, Spring};

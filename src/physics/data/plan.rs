@@ -1,7 +1,6 @@
 //! The plan: the parts of the model that run. A part that is left out is not called.
 
-use crate::physics::data::def::WorldDef;
-use crate::physics::data::material::Material;
+use crate::physics::data::{def::WorldDef, material::Material};
 
 /// The parts of the model that a world runs.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

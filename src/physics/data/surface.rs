@@ -1,12 +1,8 @@
-//! Surfaces: what is solid and moves for nobody. Most stand still; others follow a prescribed path (lifts, doors, platforms), run a belt,
-//! are solid from some sides only, or come and go.
-//!
-//! A path is a chain of *legs* of constant acceleration: a time of impact on a surface is the root of a polynomial as between any two bodies.
-//! No body changes a path; its clock stands still while the surface waits.
+//! Surfaces: what is solid and moves for nobody. A path is a chain of *legs* of constant acceleration: a time of impact on a surface is the root of a
+//! polynomial as between any two bodies. No body changes a path; its clock stands still while the surface waits.
 
-use crate::physics::data::aabb::Aabb;
 use crate::physics::data::domain::{self, DefError, LARGEST, expect, number, rectangle, vector};
-use crate::physics::data::material::Material;
+use crate::physics::data::{aabb::Aabb, material::Material};
 use glam::DVec2;
 
 /// The solid sides of a surface. A body that comes from another side passes through.
@@ -85,8 +81,7 @@ impl PathPoint {
 }
 
 impl Path {
-    /// To `offset` (m) and back for ever, `travel` seconds each way: speeding up and slowing down for `ease` seconds, at most half of `travel` (0:
-    /// at once), and waiting for `wait` seconds at either end.
+    /// To `offset` (m) and back for ever: `travel` s each way, with `ease` s (≤ `travel`/2) to speed up and to slow down, and `wait` s at either end.
     pub fn shuttle(offset: DVec2, travel: f64, ease: f64, wait: f64) -> Self {
         let mut legs = Vec::new();
         for way in [offset, -offset] {
@@ -124,18 +119,11 @@ impl Path {
 
     /// Its point `clock` seconds (≥ 0) after it began.
     pub fn at(&self, clock: f64) -> PathPoint {
-        let mut left = self.wrap(clock);
-        let rounding = CLOCK_ROUNDING * clock;
-        let mut offset = DVec2::ZERO;
-        for leg in &self.legs {
-            let Leg { duration, velocity, acceleration } = *leg;
-            if left < duration - rounding {
-                return PathPoint {
-                    offset: offset + (velocity + acceleration * (0.5 * left)) * left,
-                    velocity: velocity + acceleration * left,
-                    acceleration,
-                    lasts: duration - left,
-                };
+        let (mut left, mut offset) = (self.wrap(clock), DVec2::ZERO);
+        for &Leg { duration, velocity, acceleration } in &self.legs {
+            if left < duration - CLOCK_ROUNDING * clock {
+                offset += (velocity + acceleration * (0.5 * left)) * left;
+                return PathPoint { offset, velocity: velocity + acceleration * left, acceleration, lasts: duration - left };
             }
             offset += (velocity + acceleration * (0.5 * duration)) * duration;
             left = (left - duration).max(0.0);
@@ -144,8 +132,7 @@ impl Path {
         if self.repeats && clock != 0.0 { self.at(0.0) } else { PathPoint { offset, ..PathPoint::default() }.at_rest() }
     }
 
-    /// # Errors
-    /// A leg that is not finite, lasts no time, or a repeated path that does not lead back.
+    /// Refuses a leg that is not finite or lasts no time, and a repeated path that does not lead back.
     fn check(&self) -> Result<(), DefError> {
         expect(!self.repeats || !self.legs.is_empty(), || "a repeated path has no leg".into())?;
         let (mut offset, mut longest) = (DVec2::ZERO, 0.0f64);
@@ -189,26 +176,16 @@ pub struct SurfaceDef {
 
 impl Default for SurfaceDef {
     fn default() -> Self {
-        Self {
-            bounds: Aabb::new(DVec2::ZERO, DVec2::ONE),
-            material: Material::ASPHALT,
-            path: Path::default(),
-            sides: Sides::default(),
-            belt: 0.0,
-            present: true,
-            runs: true,
-        }
+        Self::fixed(Aabb::new(DVec2::ZERO, DVec2::ONE), Material::ASPHALT)
     }
 }
 
 impl SurfaceDef {
     /// A surface that stands still and is solid all around.
     pub fn fixed(bounds: Aabb, material: Material) -> Self {
-        Self { bounds, material, ..Self::default() }
+        Self { bounds, material, path: Path::default(), sides: Sides::ALL, belt: 0.0, present: true, runs: true }
     }
 
-    /// # Errors
-    /// A number that is not finite or out of its range.
     pub(crate) fn check(&self) -> Result<(), DefError> {
         rectangle("a surface", &self.bounds)?;
         domain::material(&self.material)?;
@@ -241,18 +218,9 @@ pub struct Surface {
 
 impl Surface {
     pub(crate) fn new(def: SurfaceDef) -> Self {
-        let mut surface = Self {
-            bounds: def.bounds,
-            velocity: DVec2::ZERO,
-            material: def.material,
-            present: def.present,
-            wanted: def.present,
-            clock: 0.0,
-            belt: def.belt,
-            runs: def.runs,
-            moved: false,
-            def,
-        };
+        let SurfaceDef { bounds, material, present, belt, runs, .. } = def;
+        let (velocity, clock, wanted, moved) = (DVec2::ZERO, 0.0, present, false);
+        let mut surface = Self { bounds, velocity, material, present, def, clock, belt, runs, wanted, moved };
         surface.go_on(0.0);
         surface
     }
@@ -312,11 +280,10 @@ impl Surface {
 
     /// What it sweeps within the next `t` seconds, m.
     pub(crate) fn swept(&self, t: f64) -> Aabb {
-        let mut swept = self.bounds;
+        let (mut swept, half) = (self.bounds, self.bounds.size() * 0.5);
         if !self.moves_within(t) {
             return swept;
         }
-        let half = self.bounds.size() * 0.5;
         for (point, leg) in self.legs(t) {
             // A turn within the leg leads as far beyond its ends.
             let turn = point.acceleration.abs() * (0.5 * leg * leg);

@@ -1,48 +1,40 @@
 //! The tolerances that several files of the engine share, each with its unit and what breaks when it changes.
 
-/// m. How much two boxes must share along the *other* axis before a contact counts. Smaller: things catch on the seams of tiles that
-/// rounding left proud; larger: the corners of boxes become visibly round. It is also the largest gap of a contact at rest; a *hit*
-/// needs a gap of zero (hits ahead of it would lose 3 to 6 % of the energy of small bounces).
+/// m. How much two boxes in contact share along the *other* axis, and the largest gap of a contact at rest; a *hit* needs none, or small bounces lose
+/// 3 to 6 % of their energy. Smaller: things catch on the seams of tiles that rounding left proud; larger: corners become visibly round.
 pub(crate) const SLOP: f64 = 1e-9;
 
-/// How often in one tick a body that parts by less than [`MICRO_SPEED`] is taken to stay. If something keeps drawing it away (friction on
-/// its other side), it parts after that.
+/// How often in one tick a body that parts by less than [`MICRO_SPEED`] is taken to stay; friction on its other side may draw it away after that.
 pub(crate) const MAX_CLINGS: u32 = 32;
 
-/// How often one body may turn back across borders of streams in one tick, within a 64th of it after another event of the body; then the body
-/// keeps the streams that it feels until the tick ends. More: a body that a stream blows out and a liquid drives back, every 0.1 ms or sooner,
-/// uses up the budget of events of its island; fewer: a bounce inside a narrow stream misses it.
+/// How often in a tick one body may turn back across borders of streams, within a 64th of it after its last event; then it keeps the streams that it
+/// feels. More: what a stream blows out and a liquid drives back uses up its island's budget; fewer: a bounce inside a narrow stream misses it.
 pub(crate) const MOST_BORDERS: u32 = 4;
 
-/// Relative to the largest force of a block of bodies: what counts as no force left over when reactions are shared out. Smaller:
-/// rounding splits resting blocks; larger: a feather beside an anvil is taken for part of it.
+/// Relative to the largest force of a block: no force left over. Smaller: rounding splits resting blocks; larger: an anvil takes a feather with it.
 pub(crate) const FORCE_TOLERANCE: f64 = 1e-12;
 
-/// m/s. Two bodies in contact whose speeds differ by less when a slide ends move as one from then on, and bodies that meet more slowly only
-/// graze. Smaller: rounding makes impacts, and parts what slid to rest; larger: slow slides end early.
+/// m/s. Bodies whose speeds differ by less when a slide ends move as one, and those that meet more slowly graze. Smaller: rounding makes impacts and
+/// parts what slid to rest; larger: slow slides end early.
 pub(crate) const SPEED_TOLERANCE: f64 = 1e-11;
 
-/// Relative to the faster of two bodies in contact: sliding slower than this is the rounding of a plastic solve, and they stick. Taken
-/// for a slide it would end after 1e-18 s, and the solve after that would bring it back, thousands of times a tick. Of something at rest
-/// it is nothing: what has stopped has stopped exactly.
+/// Relative to the faster of two bodies in contact: slower sliding is the rounding of a plastic solve. As a slide it would end after 1e-18 s, and come
+/// back, thousands of times a tick. Of something at rest it is nothing: what has stopped has stopped exactly.
 pub(crate) const SPEED_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// m/s. Things that touch, part more slowly than this and are pulled together again rest on each other: they would part by 1e-13 m, which
-/// rounding can no longer resolve, and come back after a tenth of a microsecond, again and again.
+/// m/s. Things that part more slowly and are pulled together again rest on each other: they would part by 1e-13 m for 0.1 µs, again and again.
 pub(crate) const MICRO_SPEED: f64 = 2e-6;
 
 /// Relative distance from the terminal velocity at which a body counts as having reached it: no further steps are needed then.
 pub(crate) const TERMINAL_TOLERANCE: f64 = 1e-13;
 
-/// m. Error of one step through a liquid, at most, by its own estimate. Larger: the tick shows in a splash; smaller: more steps for digits nobody
-/// sees.
+/// m. Error of one step through a liquid, by its own estimate. Larger: the tick shows in a splash; smaller: more steps for digits nobody sees.
 pub(crate) const FLIGHT_TOLERANCE: f64 = 1e-9;
 
 /// Relative to all forces of contacts or links on a body: the rounding of a balance.
 pub(crate) const BALANCED: f64 = 1e-9;
 
-/// m. Error of one step of linked bodies, at most, by its own estimate, which stands for the row before. Larger: a swing loses more than 1e-9 of its
-/// energy in a thousand periods.
+/// m. Error of one step of linked bodies, by its estimate, of the row before. Larger: a swing loses over 1e-9 of its energy in a thousand periods.
 pub(crate) const LINKED_TOLERANCE: f64 = 1e-14;
 
 /// Shortest step of linked bodies, in parts of a tick, and s: shorter ones are taken whatever their error. Shorter: kinks of drag, and links of the
@@ -50,35 +42,29 @@ pub(crate) const LINKED_TOLERANCE: f64 = 1e-14;
 pub(crate) const SHORTEST_LINKED: f64 = 4096.0;
 pub(crate) const LONGEST_SHORT: f64 = 1e-6;
 
-/// How often in a tick the instant is sought at which the law of a link bends, times the bodies of its group. More: ropes that rattle take long;
-/// fewer: later ones take effect at the end of a step.
+/// How often in a tick the bend of a link is sought, times the bodies of its group. More: rattling ropes take long; fewer: some bend at a step's end.
 pub(crate) const MOST_BENDS: usize = 512;
 
 /// m. A swing of linked bodies no wider than this is rest. Smaller: what hangs never falls asleep; larger: it stops beside its balance.
 pub(crate) const LINKED_ROUNDING: f64 = 1e-12;
 
-/// Rate × time from which on a step through a liquid is implicit, where drag has taken the body to the speed that its place gives it. Smaller:
-/// more steps are implicit that explicit ones take for less; larger: more that their stability cuts short.
+/// Rate × time from which steps through a liquid at the speed of the place are implicit. Smaller: more work; larger: stability cuts more short.
 pub(crate) const HEAVY_REACH: f64 = 4.0;
 
 /// Rate × time of one Runge–Kutta step, at most, of what bobs: its stability ends at 1.0.
 pub(crate) const BOBBING_REACH: f64 = 0.7;
 
-/// Damping ratio of what floats at its waterline, per unit of C_d. Smaller: 300 kg on water are not at rest after a minute; larger: a
-/// splash calms down within one bob.
+/// Damping ratio afloat at the waterline, per unit of C_d. Smaller: 300 kg on water bob for over a minute; larger: a splash calms within one bob.
 pub(crate) const WAVES: f64 = 0.15;
 
-/// Hits of one body or surface in one tick. Where both ends of a contact have had more, it bounces no more: inelastic collapse, a rattle
-/// and a gap that a moving surface closes would never end. Larger: they use up the budget of events of their island; smaller: fast bodies
-/// in a narrow gap lose speed.
+/// Hits in one tick: where both ends of a contact have had more, it bounces no more, or inelastic collapse, a rattle and a gap that a surface closes
+/// would never end. Larger: they use up the budget of events of their island; smaller: fast bodies in a narrow gap lose speed.
 pub(crate) const MOST_BOUNCES: u32 = 128;
 
-/// s. Bounces that take no longer go on as one train. Longer: other things come near more trains, and end them; shorter: more bounces are events of
-/// their own, which at a long tick use up the budget of their island.
+/// s. Bounces that take no longer go on as one train. Longer: other things end more trains; shorter: more events, which use up the island's budget.
 pub(crate) const SHORT_BOUNCE: f64 = 1.0 / 256.0;
 
-/// Hits still to come in a tick of something without loss between two others, from which on they are one train. More: they use up the budget of
-/// events of their island; fewer: what ends as soon is no event less.
+/// Hits to come in a tick of something without loss between two others that make a train. More: they use up the island's budget; fewer: no gain.
 pub(crate) const MANY_HITS: f64 = 16.0;
 
 /// m/s. Slower hits are not reported as events.
@@ -98,15 +84,13 @@ pub(crate) const DAMPED_REACH: f64 = 0.1;
 /// Larger: the worst tick lasts longer; smaller: a crowd's step takes ticks into which fewer impacts fall.
 pub(crate) const EVENTS_OF_A_BODY: u64 = 32;
 
-/// m. How far a cubic may be beside the flow that it follows, and so how deep two bodies are in each other that meet on such ways. Larger: a body
-/// that rises through a surface is met beside its way; smaller: ways are foreseen in more parts.
+/// m. How far a cubic may be beside the flow that it follows, and how deep bodies meet. Larger: beside their ways; smaller: ways of more parts.
 pub(crate) const STRAY: f64 = 1e-5;
 
 /// Relative difference up to which two approach speeds at one instant are equal. Smaller: the rounding of a place decides which impact is first.
 pub(crate) const EQUAL_SPEED: f64 = 1e-10;
 
-/// Relative to the largest force among joined bodies: what pulls at a light body. Smaller: the rounding of something heavy is more than
-/// what a light body beside it feels; larger: two bodies of a kind are treated apart.
+/// Relative to the largest force among joined bodies: what pulls at a light one. Smaller: rounding is more; larger: two of a kind are treated apart.
 pub(crate) const LIGHT: f64 = 1e-3;
 
 /// An island of more bodies than this does with fewer rounds across where some of it bounces, and keeps friction that turns round within a step:

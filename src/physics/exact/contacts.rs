@@ -90,8 +90,7 @@ impl Events {
         }
     }
 
-    /// Lists what lasting contacts have passed on in this tick beyond their force at its end, and its rounding: of what came and went within it.
-    /// Media change a force all the time.
+    /// Lists what lasting contacts have passed on in this tick beyond their force at its end: of what came and went. Media change a force all the time.
     pub(crate) fn list_surplus(&mut self, scene: &Scene) {
         for index in 0..self.contacts.len() {
             let contact = self.contacts[index];
@@ -109,16 +108,11 @@ impl Events {
     pub(crate) fn find_contacts(&mut self, scene: &Scene) {
         self.take_contacts_of_concerned();
         for index in 0..self.touching.len() {
-            let mut contact = self.touching[index];
-            if self.met.is_some_and(|met| met.is_of(contact.lo, contact.hi)) {
-                match self.contact_now(scene, contact.lo, contact.hi) {
-                    Some(again) => contact = again,
-                    None => continue,
-                }
-            }
-            if self.stays(&contact) {
-                let slides = self.slides(&contact);
-                let passed = self.passed_by(&contact);
+            let touching = self.touching[index];
+            let met = self.met.is_some_and(|met| met.is_of(touching.lo, touching.hi));
+            let now = if met { self.contact_now(scene, touching.lo, touching.hi) } else { Some(touching) };
+            if let Some(contact) = now.filter(|contact| self.stays(contact)) {
+                let (slides, passed) = (self.slides(&contact), self.passed_by(&contact));
                 let fresh = Contact { closed: true, lasts: true, clings: false, passed, ..contact };
                 self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
             }
@@ -126,7 +120,6 @@ impl Events {
         self.list_ends(scene, true);
     }
 
-    /// Takes what a contact has passed on before the present event.
     fn passed_by(&mut self, contact: &Contact) -> [f64; 2] {
         let known = self.trial.binary_search_by_key(&contact.ends(), Contact::ends);
         let known = known.ok().map(|at| &mut self.trial[at]).filter(|known| (known.lo, known.axis) == (contact.lo, contact.axis));
@@ -146,9 +139,8 @@ impl Events {
 
     /// Which way a contact slides now: a speed that is nothing but rounding is none.
     pub(crate) fn slides(&self, contact: &Contact) -> f64 {
-        let along = 1 - contact.axis;
         let sliding = self.sliding(contact);
-        let rounding = self.speed_rounding(contact)[along] + SPEED_ROUNDING * contact.skin.abs();
+        let rounding = self.speed_rounding(contact)[1 - contact.axis] + SPEED_ROUNDING * contact.skin.abs();
         if sliding.abs() <= rounding { 0.0 } else { sliding.signum() }
     }
 
@@ -161,7 +153,6 @@ impl Events {
         self.trial.sort_unstable_by_key(Contact::ends);
     }
 
-    /// Ends a slide: the two ends, and all that moves with them, have one speed along the face from now on.
     pub(crate) fn stop_slide(&mut self, scene: &Scene, a: u32, b: u32) {
         let Some(stopped) = self.contacts.iter().find(|contact| contact.is_of(a, b)).copied() else { return };
         let mut next = 0;
@@ -171,9 +162,7 @@ impl Events {
             next += 1;
         }
         self.take_contacts_of_concerned();
-        for index in 0..self.trial.len() {
-            self.locate(scene, self.trial[index].ends().1 as usize);
-        }
+        (0..self.trial.len()).for_each(|index| _ = self.locate(scene, self.trial[index].ends().1 as usize));
         self.before.clone_from(&self.speeds);
         let parts = Parts { masses: &self.masses, free: &self.before };
         self.reactions.joined.merge_speeds(&stopped, &self.trial, &parts, &mut self.speeds);

@@ -1,11 +1,8 @@
-//! What links join, or contacts in media, and moves: Runge–Kutta steps of fifth or third order ([`crate::physics::flight::steps`]) with a contact solve
-//! at each stage, so that bodies that press on each other fly as one. A step ends where a liquid begins or ends, where a link bends or breaks, or where a
-//! contact begins to part or to slip.
+//! What links join, or contacts in media, and moves: Runge–Kutta steps of fifth or third order with a contact solve at each stage, so that bodies that
+//! press on each other fly as one. A step ends where a liquid begins or ends, a link bends or breaks, or a contact begins to part or to slip.
 
 use crate::physics::data::{Contact, Cubic, EVENTS_OF_A_BODY, FORCE_TOLERANCE, LONGEST_SHORT, Pose, SPEED_TOLERANCE};
-use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::{Item, Travel};
-use crate::physics::exact::motions::SHORTEST;
+use crate::physics::exact::{events::Events, events::Scene, item::Item, item::Travel, motions::SHORTEST};
 use crate::physics::flight::steps::{CoupledStep, FIFTH_ORDER, RungeKutta, THIRD_ORDER, step_factor};
 use crate::physics::forces::Link;
 use glam::DVec2;
@@ -21,21 +18,19 @@ const LEAST: f64 = SHORTEST * SHORTEST * SHORTEST;
 const MOST_ERROR: [f64; 2] = [1e-10, 1e-11];
 
 impl Events {
-    /// Gives the items concerned that links or contacts join paths for `left` seconds, or up to an event. Returns false where they are too stiff for
-    /// that, or half of the budget of events is used up.
+    /// Gives what links or contacts join paths for `left` seconds, or up to an event. Returns false where that is too stiff, or uses up the budget.
     pub(crate) fn fly_coupled(&mut self, scene: &Scene, left: f64) -> bool {
         let afloat = self.rests_afloat(scene);
-        let found = self.find_step(scene, self.while_slides_last(left), afloat);
-        let Some((h, changes)) = found else {
+        let Some((h, changes)) = self.find_step(scene, self.while_slides_last(left), afloat) else {
             self.guards.flows_cut_short += u64::from(!self.links.is_empty());
             return false;
         };
         for (step, i) in self.coupled.iter().zip(&self.concerned) {
             let item = &mut self.items[*i as usize];
-            let rests = item.motion == Travel::Still && step.end.1.length() <= SPEED_TOLERANCE;
             if !matches!(item.motion, Travel::Parabola | Travel::Still) {
                 continue;
             }
+            let rests = item.is_still() && step.end.1.length() <= SPEED_TOLERANCE;
             item.until = item.until.min(self.now + h);
             if step.bends && !rests {
                 item.motion = Travel::Coupled;
@@ -130,10 +125,9 @@ impl Events {
 
     /// What a step of third order is off by at most in air, m, where no contact changes: less than a twentieth of (a + ωv)·h²·(ωh)³.
     fn error_of_third_order(&self, scene: &Scene, h: f64) -> f64 {
-        let error = |item: &Item| {
-            let Item { body, law, solved, .. } = item;
+        let error = |Item { body, law, solved, .. }: &Item| {
+            // What bobs would add up the errors of many steps.
             if law.is_near_liquid() {
-                // What bobs would add up the errors of many steps.
                 return f64::INFINITY;
             }
             let rate = scene.media.rate(body, law, (body.position, body.velocity), h);
@@ -146,19 +140,19 @@ impl Events {
     fn step_coupled(&mut self, scene: &Scene, method: &RungeKutta, h: f64, afloat: bool) -> f64 {
         self.coupled.clear();
         self.changed = false;
-        for &i in &self.concerned {
-            let body = &self.items[i as usize].body;
-            self.coupled.push(CoupledStep::new((body.position, body.velocity), self.solved[i as usize]));
-        }
+        self.coupled.extend(self.concerned.iter().map(|i| {
+            let body = &self.items[*i as usize].body;
+            CoupledStep::new((body.position, body.velocity), self.solved[*i as usize])
+        }));
         for (stage, (weights, time)) in (1..).zip(method.stages.iter().zip(method.times)) {
-            self.coupled.iter_mut().for_each(|step| step.end = step.stages.at(weights, h));
+            self.coupled.iter_mut().for_each(|step| step.go_to(weights, h));
             self.pull_coupled(scene, h * time);
             self.changed |= self.contacts_change(h);
             for (step, &i) in self.coupled.iter_mut().zip(&self.concerned) {
                 step.take(stage, self.means[i as usize] * DVec2::new(1.0, if afloat { 0.0 } else { 1.0 }));
             }
         }
-        let errors = self.coupled.iter().map(|step| step.stages.error(method.error, h));
+        let errors = self.coupled.iter().map(|step| step.error(method.error, h));
         errors.fold(0.0, |most: f64, error| if error <= most { most } else { error })
     }
 
@@ -196,8 +190,7 @@ impl Events {
                 self.links[at].broken = now.on(first, |id| self.pose_of(id, |k| pose(self, k))).length() > most;
             }
         }
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
+        for i in self.concerned.iter().map(|i| *i as usize) {
             if self.items[i].linked {
                 self.items[i].link = self.links_on(scene, self.items[i].id, self.now, |k| pose(self, k));
             }
@@ -205,8 +198,7 @@ impl Events {
     }
 
     fn pose_of(&self, id: u32, pose: impl Fn(usize) -> Pose) -> Pose {
-        let item = |k: &u32| self.items[*k as usize].id;
-        self.concerned.iter().position(|k| item(k) == id).map_or_else(|| self.end_of(id), pose)
+        self.concerned.iter().position(|k| self.items[*k as usize].id == id).map_or_else(|| self.end_of(id), pose)
     }
 
     /// When within a step of `h` seconds a body enters or leaves a liquid, or the law of a link bends; `h` where nothing does.

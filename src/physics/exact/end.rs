@@ -1,10 +1,8 @@
 //! The end of a tick: its contacts and accelerations, with which the next tick begins.
 
-use crate::physics::contact::axis::Parts;
 use crate::physics::data::{Contact, Pose, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::Travel;
-use crate::physics::forces::link::links_on;
+use crate::physics::{contact::axis::Parts, exact::item::Travel, forces::link::links_on};
 use glam::DVec2;
 
 impl Events {
@@ -12,15 +10,13 @@ impl Events {
         if let Ok(at) = self.items[..self.movable].binary_search_by_key(&id, |item| item.id) {
             return (self.places[at], self.speeds[at]);
         }
-        self.ends.iter().find(|end| end.0 == id).map_or((DVec2::ZERO, DVec2::ZERO), |end| end.1)
+        self.ends.iter().find(|end| end.0 == id).map(|end| end.1).unwrap_or_default()
     }
 
     /// Solves contacts and accelerations where media have changed them since the last path began.
     pub(crate) fn settle(&mut self, scene: &Scene) {
         self.is_placed.fill(false);
-        for i in 0..self.items.len() {
-            self.locate(scene, i);
-        }
+        (0..self.items.len()).for_each(|i| _ = self.locate(scene, i));
         self.end_contacts(scene);
         for i in 0..self.movable {
             if self.has_another_law(scene, i) {
@@ -43,9 +39,7 @@ impl Events {
             self.contacts.sort_unstable_by_key(Contact::ends);
             let parts = Parts { masses: &self.masses, free: &self.free };
             self.reactions.accelerate(&mut self.contacts, &parts, &mut self.solved);
-            for (item, solved) in self.items[..self.movable].iter_mut().zip(&self.solved) {
-                item.solved = *solved;
-            }
+            self.items[..self.movable].iter_mut().zip(&self.solved).for_each(|(item, solved)| item.solved = *solved);
         }
         self.release();
     }
@@ -91,31 +85,27 @@ impl Events {
         if self.items[self.movable..].iter().all(|surface| surface.motion == Travel::Still) {
             return;
         }
+        for index in 0..self.contacts.len() {
+            let (body, surface) = self.contacts[index].ends();
+            if !self.is_body(surface) {
+                self.follow(index, body);
+            }
+        }
         let mut next = 0;
-        loop {
-            let carrier = self.concerned.get(next).copied();
+        while let Some(&carrier) = self.concerned.get(next) {
+            next += 1;
             for index in 0..self.contacts.len() {
-                let contact = self.contacts[index];
-                let (body, surface) = contact.ends();
-                match carrier {
-                    None if next == 0 && !self.is_body(surface) => self.follow(&contact, body),
-                    Some(carrier) if self.is_body(surface) && (carrier == body || carrier == surface) => {
-                        self.follow(&contact, contact.other(carrier));
-                    }
-                    _ => {}
+                let contact = &self.contacts[index];
+                if contact.has(carrier) && self.is_body(contact.ends().1) {
+                    self.follow(index, contact.other(carrier));
                 }
-            }
-            if carrier.is_some() {
-                next += 1;
-            }
-            if next == self.concerned.len() {
-                break;
             }
         }
         self.release();
     }
 
-    fn follow(&mut self, contact: &Contact, body: u32) {
+    fn follow(&mut self, index: usize, body: u32) {
+        let contact = self.contacts[index];
         let (axis, along, carrier) = (contact.axis, 1 - contact.axis, contact.other(body));
         if self.is_concerned[body as usize] || contact.normal <= 0.0 {
             return;

@@ -1,12 +1,10 @@
 //! An island and the buffers of the method of events; surfaces within a tick: the legs of their paths, and their stops.
 
-use crate::physics::contact::reactions::Reactions;
 use crate::physics::data::{Aabb, Contact, Cubic, Hit, Incidence, Plan, Pose, Surface, refill};
-use crate::physics::exact::item::{Item, Next, Travel};
-use crate::physics::exact::track::Track;
-use crate::physics::flight::steps::CoupledStep;
+use crate::physics::exact::item::{Item, Next, Track, Travel};
 use crate::physics::forces::{Link, Media, ZoneList};
 use crate::physics::state::{Guards, State};
+use crate::physics::{contact::reactions::Reactions, flight::steps::CoupledStep};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +21,18 @@ impl<'a> Scene<'a> {
     pub fn of(state: &'a State, plan: &'a Plan, tick: f64) -> Self {
         let State { media, surfaces, rest_speed, .. } = state;
         Self { media, plan, rest_speed: *rest_speed, surfaces, tick }
+    }
+
+    pub fn set_on_path(&self, item: &mut Item, at: f64) {
+        let surface = &self.surfaces[item.id as usize];
+        let point = if at < item.stops_at { surface.at(at) } else { surface.at(item.stops_at).at_rest() };
+        item.since = at;
+        let end = if at < item.stops_at { item.stops_at } else { f64::INFINITY };
+        item.until = (at + point.lasts).min(end).min(self.tick);
+        (item.body.position, item.body.velocity) = (point.offset, point.velocity);
+        (item.solved, item.mean) = (point.acceleration, point.acceleration);
+        let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
+        item.motion = if still { Travel::Still } else { Travel::Parabola };
     }
 }
 
@@ -147,8 +157,7 @@ impl Events {
 
     pub(super) fn clear_buffers(&mut self) {
         let all = self.items.len();
-        (self.now, self.count, self.grown) = (0.0, 0, false);
-        self.reactions.solved = 0;
+        (self.now, self.count, self.grown, self.reactions.solved) = (0.0, 0, false, 0);
         for vectors in [&mut self.free, &mut self.solved, &mut self.places, &mut self.speeds, &mut self.means] {
             refill(vectors, all, DVec2::ZERO);
         }
@@ -160,9 +169,8 @@ impl Events {
         refill(&mut self.nexts, all, Next::NEVER);
         refill(&mut self.ways, all, 0);
         refill(&mut self.struck, all, [false; 2]);
-        for flags in [&mut self.is_concerned, &mut self.is_placed] {
-            refill(flags, all, false);
-        }
+        refill(&mut self.is_concerned, all, false);
+        refill(&mut self.is_placed, all, false);
         self.coupled.clear();
         self.coupled.reserve(self.movable);
         (self.stride, self.sliver) = (f64::INFINITY, f64::INFINITY);
@@ -175,23 +183,7 @@ impl Events {
         self.lanes.extend(self.tracks.iter().map(|track| track.lane(&track.swept)));
         refill(&mut self.borders, if self.streams.is_empty() { 0 } else { self.movable }, ZoneList::default());
     }
-}
 
-impl Scene<'_> {
-    pub fn set_on_path(&self, item: &mut Item, at: f64) {
-        let surface = &self.surfaces[item.id as usize];
-        let point = if at < item.stops_at { surface.at(at) } else { surface.at(item.stops_at).at_rest() };
-        item.since = at;
-        let end = if at < item.stops_at { item.stops_at } else { f64::INFINITY };
-        item.until = (at + point.lasts).min(end).min(self.tick);
-        (item.body.position, item.body.velocity) = (point.offset, point.velocity);
-        (item.solved, item.mean) = (point.acceleration, point.acceleration);
-        let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
-        item.motion = if still { Travel::Still } else { Travel::Parabola };
-    }
-}
-
-impl Events {
     pub(crate) fn turn(&mut self, scene: &Scene, i: usize) {
         self.set_out(scene, i);
         self.predict(scene, i);
@@ -209,8 +201,7 @@ impl Events {
     }
 
     fn set_out(&mut self, scene: &Scene, i: usize) {
-        let item = &mut self.items[i];
-        scene.set_on_path(item, self.now);
+        scene.set_on_path(&mut self.items[i], self.now);
         self.foresee(scene, i);
         self.nexts[i] = Next::NEVER;
         let item = &self.items[i];

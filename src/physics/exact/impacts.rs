@@ -1,11 +1,10 @@
-//! Impacts in rounds, the fastest first, until nothing approaches (`docs/physics.md`, Impacts and their order). All hits of an instant come before
-//! those that they bring about: in a round no body is struck twice, but by hits that tie.
+//! Impacts in rounds, the fastest first, until nothing approaches (`docs/physics.md`, Impacts and their order). In a round no body is struck twice, but
+//! by hits that tie.
 
-use crate::physics::contact::axis::Parts;
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
 use crate::physics::data::{Aabb, BodyId, Contact, EQUAL_SPEED, Hit, Impulse, Obstacle, Part, SLOP, called, on_axis};
 use crate::physics::exact::events::{Events, Scene, Tie};
-use crate::physics::exact::item::Item;
+use crate::physics::{contact::axis::Parts, exact::item::Item};
 use glam::DVec2;
 
 impl Events {
@@ -66,8 +65,8 @@ impl Events {
         any
     }
 
-    /// The plastic solve of all that touches. Pushing one side of a body can lift it off the other by next to nothing; where it is pulled back at
-    /// once, it stays, or the two sides would take turns for ever. Where a surface would squeeze a body, it only stops.
+    /// The plastic solve of all that touches. A push on one side may lift a body off the other by next to nothing; where it is pulled back at once,
+    /// it stays, or the two sides would take turns for ever. A surface that would squeeze a body only stops.
     fn stop_together(&mut self, scene: &Scene) {
         let mut touching = std::mem::take(&mut self.touching);
         let mut may_cling = true;
@@ -118,20 +117,14 @@ impl Events {
             }
         }
         self.reactions.joined.squeezed = squeezed;
-        for index in known..self.squeezed.len() {
-            self.halt(scene, self.squeezed[index].1);
-        }
+        (known..self.squeezed.len()).for_each(|index| self.halt(scene, self.squeezed[index].1));
         self.squeezed.len() > known
     }
 
     /// Whether two items part so slowly that they rest on each other, if nothing pulls them apart.
     pub(crate) fn clings(&self, scene: &Scene, contact: &Contact) -> bool {
-        let approach = self.approach(contact);
-        if !(-MICRO_SPEED..0.0).contains(&approach) {
-            return false;
-        }
         let tried = |item: u32| self.items[item as usize].clung > MAX_CLINGS;
-        if tried(contact.lo) || tried(contact.hi) {
+        if !(-MICRO_SPEED..0.0).contains(&self.approach(contact)) || contact.pair().into_iter().any(tried) {
             return false;
         }
         (self.pull(scene, contact.lo) - self.pull(scene, contact.hi))[contact.axis] >= 0.0
@@ -147,8 +140,7 @@ impl Events {
         }
     }
 
-    /// The next pair: its index, closing speed and restitution. Bouncing pairs first, of them those not struck in this
-    /// round, and of these the fastest.
+    /// The next pair: its index, closing speed and restitution. Bouncing pairs first, of them those not struck in this round, of these the fastest.
     fn next_impact(&self, scene: &Scene) -> Option<(usize, f64, f64)> {
         let mut best = None;
         for (index, contact) in self.touching.iter().enumerate() {
@@ -195,23 +187,19 @@ impl Events {
         let axis = contact.axis;
         self.count_hit(&contact);
         let [lo_share, hi_share] = self.shares(contact.lo as usize, contact.hi as usize);
-        let reduced = if self.is_body(contact.hi) {
-            hi_share * self.items[contact.hi as usize].body.mass
-        } else {
-            self.items[contact.lo as usize].body.mass
-        };
+        let (share, of) = if self.is_body(contact.hi) { (hi_share, contact.hi) } else { (lo_share, contact.lo) };
+        let reduced = share * self.items[of as usize].body.mass;
         let change = (1.0 + e) * speed;
         let relative = self.sliding(&contact);
         // Friction changes the sliding by at most μ_k times the change along the normal, and stops it at most.
         let rubs = -relative.signum() * (contact.kinetic_friction * change).min(relative.abs());
         let rub = self.closing_at_a_corner(&contact, speed).map_or(rubs, |closing| -(1.0 + e) * closing);
         self.note(&contact, on_axis(axis, reduced * change, if rub == 0.0 { 0.0 } else { reduced * rub }), Some(speed));
-        let surface = [contact.lo, contact.hi].into_iter().find(|&item| !self.is_body(item));
+        let ground = contact.pair().into_iter().find(|&item| !self.is_body(item)).map(|surface| self.speed(surface)[axis]);
         for (item, share, sign) in [(contact.lo, lo_share, -1.0), (contact.hi, hi_share, 1.0)] {
             if !self.is_body(item) {
                 continue;
             }
-            let ground = surface.map(|surface| self.speed(surface)[axis]);
             let velocity = &mut self.speeds[item as usize];
             match ground {
                 // Exactly −e times the speed it came with, and exactly zero where friction stops it.
@@ -225,8 +213,7 @@ impl Events {
         self.begin_train(scene, &contact, e * speed, e);
     }
 
-    /// The velocity of `hi` relative to `lo` along the other axis, m/s, where two corners have met that close along both axes alike: neither face is hit
-    /// before the other, so both are, and nothing slides.
+    /// The velocity of `hi` relative to `lo` along the other axis, m/s, where two corners have met that close along both axes alike: both faces are hit.
     fn closing_at_a_corner(&self, contact: &Contact, speed: f64) -> Option<f64> {
         let (lo, hi, along) = (contact.lo as usize, contact.hi as usize, 1 - contact.axis);
         let apart = (self.places[hi] - self.places[lo])[along];
@@ -249,16 +236,15 @@ impl Events {
 
     /// Takes the pull of a surface off its last pushes in this tick on the same body. Returns whether they are as large.
     fn take_off(&mut self, contact: &mut Contact) -> bool {
-        let (body, surface) = contact.ends();
+        let ((body, surface), axis) = (contact.ends(), contact.axis);
         let sign = if body == contact.lo { -1.0 } else { 1.0 };
-        let [a, b] = [body, surface].map(|item| self.items[item as usize].id);
-        for hit in self.hits.iter_mut().rev().filter(|hit| hit.impulse.impact && hit.normal[contact.axis] == sign) {
-            if hit.impulse.a == BodyId(a) && hit.impulse.b == Obstacle::Surface(b) {
-                let push = &mut hit.impulse.vector[contact.axis];
-                let taken = (sign * *push).min(-contact.normal);
-                *push -= sign * taken;
-                contact.normal += taken;
-            }
+        let ends = (BodyId(self.items[body as usize].id), Obstacle::Surface(self.items[surface as usize].id));
+        let pushes = |hit: &&mut Hit| hit.impulse.impact && hit.normal[axis] == sign && (hit.impulse.a, hit.impulse.b) == ends;
+        for hit in self.hits.iter_mut().rev().filter(pushes) {
+            let push = &mut hit.impulse.vector[axis];
+            let taken = (sign * *push).min(-contact.normal);
+            *push -= sign * taken;
+            contact.normal += taken;
         }
         contact.normal >= 0.0
     }

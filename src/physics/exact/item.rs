@@ -1,4 +1,4 @@
-//! Items: the bodies of an island and the surfaces near them, each on a path of its own.
+//! Items: the bodies of an island and the surfaces near them, each on a path of its own; and that path as the search for impacts needs it.
 
 use crate::physics::data::{Aabb, Body, BodyDef, Cubic, Pose, Quintic, STRAY, Sides, Surface, on_axis, parabola};
 use crate::physics::exact::train::Train;
@@ -16,7 +16,6 @@ pub(crate) enum Travel {
     Slide,
     /// In contact, through media: on its `course`.
     Coupled,
-    /// Bounce after bounce.
     Train,
 }
 
@@ -148,20 +147,17 @@ impl Item {
     /// Where it is at a time (s from the tick's start, not before `since`).
     pub fn pose(&self, media: &Media, at: f64) -> Pose {
         let (t, start) = (at - self.since, (self.body.position, self.body.velocity));
+        let end = || self.end.filter(|end| (end.0, end.1) == (self.since, at));
         match self.motion {
             _ if t == 0.0 => start,
             Travel::Still => start,
             Travel::Parabola => parabola(start, self.mean, t),
             Travel::Coupled => self.course.pose(at),
-            Travel::Flow | Travel::Slide if self.is_end(at) => self.end.map_or(start, |(.., end)| end),
+            Travel::Flow | Travel::Slide if end().is_some() => end().map_or(start, |(.., end)| end),
             Travel::Flow => flow(media, &self.body, &self.law, t),
             Travel::Slide => self.slide_on(media, t),
             Travel::Train => self.train.map_or(start, |train| train.pose(start, t, at)),
         }
-    }
-
-    fn is_end(&self, at: f64) -> bool {
-        self.end.is_some_and(|(since, until, _)| (since, until) == (self.since, at))
     }
 
     fn slide_on(&self, media: &Media, t: f64) -> Pose {
@@ -185,16 +181,15 @@ impl Item {
 
     /// Foresees the path, from `since` to `until`, or to where one cubic follows it.
     pub(crate) fn foresee(&mut self, media: &Media) -> Cubic {
-        let (x, v) = (self.body.position, self.body.velocity);
-        let t = self.until - self.since;
+        let (x, v, t) = (self.body.position, self.body.velocity, self.until - self.since);
         self.end = None;
         match self.motion {
             Travel::Still | Travel::Train => Cubic::parabola(x, DVec2::ZERO, DVec2::ZERO),
             Travel::Flow if t > 0.0 => self.foresee_flow(media),
             Travel::Slide | Travel::Coupled if t > 0.0 => {
-                let (end_x, end_v) = self.pose(media, self.until);
-                self.end = Some((self.since, self.until, (end_x, end_v)));
-                Cubic::hermite(x, v, end_x, end_v, t)
+                let end = self.pose(media, self.until);
+                self.end = Some((self.since, self.until, end));
+                Cubic::hermite(x, v, end.0, end.1, t)
             }
             Travel::Parabola | Travel::Flow | Travel::Slide | Travel::Coupled => Cubic::parabola(x, v, self.mean),
         }
@@ -231,6 +226,54 @@ impl Item {
     }
 }
 
+/// The path of an item from `since` to `until`, s from the tick's start: a cubic and the box that it sweeps.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Track {
+    pub since: f64,
+    pub until: f64,
+    pub motion: Travel,
+    pub half: DVec2,
+    pub way: Cubic,
+    /// m.
+    pub swept: Aabb,
+    /// Bounds of the rounding of its places, m.
+    pub rounding: DVec2,
+}
+
+impl Track {
+    pub fn new(item: &Item, way: Cubic) -> Self {
+        let Item { since, until, motion, .. } = *item;
+        let (half, t) = (item.body.half, until - since);
+        let swept = item.train.map_or_else(|| way.swept(half, t), |train| train.way);
+        // Places on a path are off by less than 64 roundings of the largest coordinate and 1e-6 m.
+        let rounding = swept.min.abs().max(swept.max.abs()) * (64.0 * f64::EPSILON) + 1e-6;
+        Self { since, until, motion, half, way, swept, rounding }
+    }
+
+    pub fn lane(&self, covers: &Aabb) -> Aabb {
+        Aabb::new(covers.min - self.rounding, covers.max + self.rounding)
+    }
+
+    pub fn is_still(&self) -> bool {
+        self.motion == Travel::Still
+    }
+
+    /// Whether its cubic is its motion.
+    pub fn is_exact(&self) -> bool {
+        matches!(self.motion, Travel::Still | Travel::Parabola)
+    }
+
+    pub fn way_from(&self, at: f64) -> Cubic {
+        self.way.from(at - self.since)
+    }
+
+    pub fn bounds_at(&self, at: f64) -> Aabb {
+        let t = at - self.since;
+        let [x, v, a, j] = self.way.c;
+        Aabb::around(x + (v + (a + j * t) * t) * t, self.half + self.rounding)
+    }
+}
+
 fn rk4((x, v): Pose, h: f64, mut acceleration: impl FnMut(DVec2, DVec2) -> DVec2) -> Pose {
     let half = 0.5 * h;
     let a1 = acceleration(x, v);
@@ -242,4 +285,21 @@ fn rk4((x, v): Pose, h: f64, mut acceleration: impl FnMut(DVec2, DVec2) -> DVec2
     let a4 = acceleration(x + v3 * h, v4);
     let sixth = h / 6.0;
     (x + (v + 2.0 * (v2 + v3) + v4) * sixth, v + (a1 + 2.0 * (a2 + a3) + a4) * sixth)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What moves on a parabola or a cubic stays in its lane.
+    #[test]
+    fn a_way_lies_within_what_it_sweeps() {
+        let (half, t) = (DVec2::new(0.5, 0.25), 0.7);
+        let way = Cubic { c: [DVec2::ZERO, DVec2::new(3.0, -4.0), DVec2::new(-5.0, 6.0), DVec2::new(1.0, 0.5)] };
+        let lane = way.swept(half, t);
+        for part in 0..=20 {
+            let place = way.from(t * f64::from(part) / 20.0).c[0];
+            assert!(lane.contains(&Aabb::around(place, half), 1e-15));
+        }
+    }
 }

@@ -1,12 +1,10 @@
 //! Items that meet, brought exactly together: along cubics that follow media they may be found a hair apart or in each other.
 
 use crate::physics::data::{Contact, SLOP, STRAY};
-use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::{EventKind, Next};
+use crate::physics::exact::{events::Events, events::Scene, item::EventKind, item::Next};
 
 impl Events {
-    /// Brings two items to the instant at which they meet, by Newton's method on the motions themselves, and closes the gap left. Returns false if
-    /// they meet so much later that something else happens before.
+    /// Brings two items to the instant at which they meet by Newton's method, and closes the gap left. Returns false if something else comes before.
     pub(crate) fn put_together(&mut self, scene: &Scene, contact: &Contact) -> bool {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.reach_of(contact);
@@ -14,9 +12,8 @@ impl Events {
             let begin = self.items[lo].since.max(self.items[hi].since);
             let of_pair = |k: usize, next: &Next| next.kind.other().is_some_and(|other| contact.is_of(k as u32, other));
             let others = self.nexts.iter().enumerate().filter(|(k, next)| !of_pair(*k, next) && !self.is_void(next));
-            let others = others.map(|(_, next)| next.at);
             let last = self.items[lo].until.min(self.items[hi].until).min(scene.tick);
-            let end = others.fold(last, f64::min);
+            let end = others.map(|(_, next)| next.at).fold(last, f64::min);
             // Four steps of Newton's method end at the rounding of the time.
             for _ in 0..4 {
                 let (a, b) = (self.items[lo].pose(scene.media, self.now), self.items[hi].pose(scene.media, self.now));
@@ -60,7 +57,8 @@ impl Events {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.reach_of(contact);
         let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
-        if gap < -STRAY && !self.began_apart(contact) {
+        let begun = (self.begun[hi] - self.begun[lo]).abs() - (self.items[lo].body.half + self.items[hi].body.half);
+        if gap < -STRAY && begun.max_element() < -STRAY {
             return;
         }
         if lo >= self.movable || hi >= self.movable {
@@ -82,12 +80,6 @@ impl Events {
         }
     }
 
-    fn began_apart(&self, contact: &Contact) -> bool {
-        let (lo, hi) = (contact.lo as usize, contact.hi as usize);
-        let reach = self.items[lo].body.half + self.items[hi].body.half;
-        ((self.begun[hi] - self.begun[lo]).abs() - reach).max_element() >= -STRAY
-    }
-
     /// Where Newton's method has ended with the two in each other: halves the time since the last event until they are apart.
     fn bracket(&mut self, scene: &Scene, contact: &Contact) {
         let mut apart = self.items.iter().map(|item| item.since).fold(0.0, f64::max);
@@ -99,11 +91,7 @@ impl Events {
         for _ in 0..64 {
             let middle = 0.5 * (apart + met);
             let between = self.gap_at(scene, contact, middle);
-            if between >= -SLOP {
-                apart = middle
-            } else {
-                met = middle
-            }
+            (apart, met) = if between >= -SLOP { (middle, met) } else { (apart, middle) };
             if between.abs() <= SLOP {
                 break;
             }

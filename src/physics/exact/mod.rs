@@ -1,9 +1,6 @@
-//! The method of events: an island, from one event to the next.
-//!
-//! Every item of an island (bodies, and the surfaces near them) has a path and a next event of its own; an event ends the paths of the items
-//! that it concerns and of no other (local clocks: Alder and Wainwright 1959). At an event those items are brought to its instant (`contacts`),
-//! impacts are resolved (`impacts`), contacts and accelerations follow (`motions`), and the next events are sought (`predict`). Events are
-//! counted: the crowd step takes the tick of an island in which too many happen.
+//! The method of events. Every item of an island (bodies, and the surfaces near them) has a path and a next event of its own; an event ends the paths
+//! of the items that it concerns and of no other (local clocks: Alder and Wainwright 1959): they are brought to its instant (`contacts`), `impacts` are
+//! resolved, contacts and `motions` follow, and next events are sought (`predict`). With too many of them the crowd step takes the island's tick.
 
 pub(crate) mod contacts;
 pub(crate) mod coupled;
@@ -16,16 +13,13 @@ pub(crate) mod motions;
 pub(crate) mod poses;
 pub(crate) mod predict;
 pub(crate) mod ties;
-pub(crate) mod track;
 pub(crate) mod train;
 pub(crate) mod trains;
 
 use crate::physics::data::{Aabb, Contact, EVENTS_OF_A_BODY, MOST_BORDERS, Part, Pose, called};
 pub(crate) use crate::physics::exact::events::{Events, ExactEnd, Scene};
-use crate::physics::exact::item::{EventKind, Item, Next, Travel};
-use crate::physics::exact::motions::SHORTEST;
-use crate::physics::flight::liquid::flow;
-use crate::physics::forces::law::Law;
+use crate::physics::exact::{item::EventKind, item::Item, item::Next, item::Travel, motions::SHORTEST};
+use crate::physics::{flight::liquid::flow, forces::law::Law};
 use glam::DVec2;
 
 impl Events {
@@ -66,7 +60,10 @@ impl Events {
         self.release();
         self.pass_on(true);
         self.list_surplus(scene);
-        self.stop_here(scene);
+        for item in &mut self.items {
+            (item.body.position, item.body.velocity) = item.pose(scene.media, self.now);
+            item.since = self.now;
+        }
         self.follow_surfaces();
         self.settle(scene);
         ExactEnd::Done
@@ -99,10 +96,7 @@ impl Events {
     }
 
     pub fn stands_on_what_stands(&self) -> bool {
-        self.contacts.iter().all(|contact| {
-            let surface = contact.lo.max(contact.hi);
-            self.is_body(surface) || self.stands(surface)
-        })
+        self.contacts.iter().map(|contact| contact.ends().1).all(|surface| self.is_body(surface) || self.stands(surface))
     }
 
     fn next_event(&self, scene: &Scene) -> Option<(usize, Next)> {
@@ -119,7 +113,7 @@ impl Events {
         next.kind.other().is_some_and(|other| self.ways[other as usize] != next.foreseen_on)
     }
 
-    /// Returns false where too many impacts fall into the first instant of the tick.
+    /// Items that nothing changed go on as the last tick left them; an event concerns all others. Returns false where too many impacts fall into that.
     pub(crate) fn begin(&mut self, scene: &Scene) -> bool {
         self.clear_buffers();
         self.bounces = scene.plan.bounces && self.items.iter().any(|item| item.body.restitution > 0.0);
@@ -130,16 +124,9 @@ impl Events {
         }
         for i in bodies..all {
             self.foresee(scene, i);
-            if self.items[i].until < scene.tick {
-                self.nexts[i].or_earlier(self.items[i].until, EventKind::Renew);
-            }
+            self.nexts[i] = self.own_next(scene, i);
         }
-        self.start(scene)
-    }
-
-    /// Items that nothing changed go on as the last tick left them; an event concerns all others.
-    fn start(&mut self, scene: &Scene) -> bool {
-        for i in 0..self.movable {
+        for i in 0..bodies {
             if !self.items[i].known {
                 self.concern(i as u32);
             }
@@ -149,21 +136,20 @@ impl Events {
         if !begun {
             return false;
         }
-        for i in 0..self.movable {
+        for i in 0..bodies {
             if self.items[i].known && !self.items[i].disturbed {
                 self.concern(i as u32);
                 (self.places[i], self.speeds[i]) = (self.items[i].body.position, self.items[i].body.velocity);
                 self.is_placed[i] = true;
             }
         }
-        match scene.plan.direct {
-            true => called(Part::Direct),
-            false => {
-                let Self { contacts, is_concerned, .. } = self;
-                let again = |contact: &&mut Contact| contact.pair().iter().any(|item| is_concerned[*item as usize]);
-                contacts.iter_mut().filter(again).for_each(|contact| contact.normal = contact.begun);
-                self.solve_concerned(scene);
-            }
+        if scene.plan.direct {
+            called(Part::Direct);
+        } else {
+            let Self { contacts, is_concerned, .. } = self;
+            let again = |contact: &&mut Contact| contact.pair().iter().any(|item| is_concerned[*item as usize]);
+            contacts.iter_mut().filter(again).for_each(|contact| contact.normal = contact.begun);
+            self.solve_concerned(scene);
         }
         self.go_on(scene);
         self.release();
@@ -173,7 +159,6 @@ impl Events {
     fn happen(&mut self, scene: &Scene, i: usize, kind: EventKind) {
         self.concern(i as u32);
         match kind {
-            EventKind::Nothing | EventKind::Edge { .. } => {}
             EventKind::Border => {
                 let item = &mut self.items[i];
                 let velocity = item.pose(scene.media, self.now).1;
@@ -190,7 +175,7 @@ impl Events {
                 self.renew(scene, i);
                 return self.release();
             }
-            EventKind::Renew => {}
+            EventKind::Nothing | EventKind::Edge { .. } | EventKind::Renew => {}
             EventKind::Hit { other, axis, ascending } => {
                 self.concern(other);
                 let (lo, hi) = if ascending { (i as u32, other) } else { (other, i as u32) };

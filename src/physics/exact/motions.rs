@@ -1,18 +1,13 @@
-//! Motions after an event.
-//!
-//! A group in contact in media takes the mean acceleration of an implicit step: in `v′ = f − D·v − K·x` that is one contact solve with the masses
-//! M·(1 + θhD + θ²h²K), stable at any rate (`docs/physics.md`, Flight). The step ends where a body enters or leaves a liquid.
+//! Motions after an event. A group in contact in media takes the mean acceleration of an implicit step: in `v′ = f − D·v − K·x` that is one contact
+//! solve with the masses M·(1 + θhD + θ²h²K), stable at any rate (`docs/physics.md`, Flight).
 
-use crate::physics::contact::axis::Parts;
 use crate::physics::data::{BOBBING_REACH, Contact, Cubic, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Implicit, Scene};
-use crate::physics::exact::item::{Item, Next, Slide, Travel};
-use crate::physics::exact::track::Track;
-use crate::physics::forces::zones;
+use crate::physics::exact::item::{Item, Next, Slide, Track, Travel};
+use crate::physics::{contact::axis::Parts, forces::zones};
 use glam::DVec2;
 
-/// The shortest part of a tick for which a path near a liquid is foreseen. Smaller: many foresights in stiff liquids; larger: steps across a
-/// surface gain energy.
+/// The shortest part of a tick foreseen near a liquid. Smaller: many foresights in stiff liquids; larger: steps across a surface gain energy.
 pub(crate) const SHORTEST: f64 = 1.0 / 64.0;
 
 /// Trials for the length of an implicit step that ends at a kink. Fewer: light stacks gain energy where they leave a liquid.
@@ -49,7 +44,7 @@ fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
 }
 
 impl Events {
-    /// Looks at all items concerned again: contacts, impacts, accelerations and motions. Returns false where too many impacts fall into that instant.
+    /// Looks at all items concerned again. Returns false where too many impacts fall into that instant.
     pub(crate) fn look(&mut self, scene: &Scene) -> bool {
         // A surface that stops concerns more items: each surface once.
         let known = self.hits.len();
@@ -73,18 +68,13 @@ impl Events {
 
     fn settle_concerned(&mut self, scene: &Scene) {
         self.pass_on(false);
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
-            let (place, speed) = (self.places[i], self.speeds[i]);
+        for i in self.concerned.iter().map(|i| *i as usize) {
             let item = &mut self.items[i];
-            (item.body.position, item.body.velocity, item.since) = (place, speed, self.now);
-            item.end = None;
-            item.disturbed = true;
+            (item.body.position, item.body.velocity) = (self.places[i], self.speeds[i]);
+            (item.since, item.end, item.disturbed) = (self.now, None, true);
         }
         self.renew_links(scene);
-        for k in 0..self.concerned.len() {
-            self.renew_law(scene, self.concerned[k] as usize);
-        }
+        (0..self.concerned.len()).for_each(|k| self.renew_law(scene, self.concerned[k] as usize));
         self.find_contacts(scene);
         self.solve_concerned(scene);
     }
@@ -103,8 +93,7 @@ impl Events {
     }
 
     pub(crate) fn solve_concerned(&mut self, scene: &Scene) {
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
+        for i in self.concerned.iter().map(|i| *i as usize) {
             let item = &self.items[i];
             self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
             self.solved[i] = self.free[i];
@@ -117,19 +106,13 @@ impl Events {
         self.trial = solved;
         self.list_ends(scene, false);
         self.contacts.append(&mut self.trial);
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
-            self.items[i].solved = self.solved[i];
-        }
+        self.concerned.iter().for_each(|i| self.items[*i as usize].solved = self.solved[*i as usize]);
     }
 
     pub(crate) fn go_on(&mut self, scene: &Scene) {
         self.choose_motions(scene);
         self.incident.index(self.items.len(), self.contacts.iter().map(Contact::pair));
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
-            self.foresee(scene, i);
-        }
+        (0..self.concerned.len()).for_each(|k| self.foresee(scene, self.concerned[k] as usize));
         let still = self.tracks.iter().all(Track::is_still);
         for i in 0..self.items.len() {
             let item = &self.items[i];
@@ -161,14 +144,12 @@ impl Events {
         self.take_contacts_of_concerned();
         self.incident.index(self.items.len(), self.trial.iter().map(Contact::pair));
         let (mut coupled, winds) = (false, self.links.iter().any(|link| link.growth(scene.tick) != 0.0));
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
-            let (in_media, linked) = (!self.items[i].law.is_constant(), self.items[i].linked);
-            let touching = self.incident.of(i);
+        for i in self.concerned.iter().map(|i| *i as usize) {
+            let (in_media, linked, touching) = (!self.items[i].law.is_constant(), self.items[i].linked, self.incident.of(i));
             let first = touching.first().map(|index| self.trial[*index as usize]);
-            let more = touching.len() > 1;
             let at_rest = self.speeds[i] == DVec2::ZERO && self.solved[i] == DVec2::ZERO;
-            let slide = first.filter(|_| in_media && !linked && !more && !at_rest).and_then(|contact| self.slide_of(i, &contact));
+            let may_slide = in_media && !linked && touching.len() == 1 && !at_rest;
+            let slide = first.filter(|_| may_slide).and_then(|contact| self.slide_of(i, &contact));
             let item = &mut self.items[i];
             (item.mean, item.until, item.slide) = (self.solved[i], scene.tick, slide);
             item.motion = match first {
@@ -178,14 +159,11 @@ impl Events {
                 None if in_media && !linked => Travel::Flow,
                 Some(_) | None => Travel::Parabola,
             };
-            coupled |= (linked || first.is_some() && in_media) && item.motion == Travel::Parabola;
-            coupled |= linked && winds;
+            coupled |= (linked || first.is_some() && in_media) && item.motion == Travel::Parabola || linked && winds;
             if matches!(item.motion, Travel::Flow | Travel::Slide) {
                 item.until = end_of_a_cubic(scene, item);
             }
-            if let Some(train) = &item.train {
-                item.until = train.until;
-            }
+            item.until = item.train.as_ref().map_or(item.until, |train| train.until);
         }
         if coupled && left > 0.0 && !self.fly_coupled(scene, left) {
             self.fly_implicitly(scene, left);
@@ -205,8 +183,8 @@ impl Events {
             h = sooner;
             self.take_mean_accelerations(scene, h);
         }
-        for k in 0..self.concerned.len() {
-            let item = &mut self.items[self.concerned[k] as usize];
+        for &i in &self.concerned {
+            let item = &mut self.items[i as usize];
             if item.motion == Travel::Parabola {
                 item.until = item.until.min(self.now + h);
             }
@@ -236,8 +214,7 @@ impl Events {
         most.fold(h, f64::min)
     }
 
-    /// How much of the next `h` seconds one implicit step may take where its drag is that of a point later than its midpoint: a step in which the
-    /// velocity changes its sign between the two takes that drag along the path, and gains energy.
+    /// How much of the next `h` seconds an implicit step may take whose drag is of a point later than its midpoint: a turn between both gains energy.
     fn up_to_a_turn(&self, scene: &Scene, h: f64) -> f64 {
         let turns = self.implicit.iter().zip(&self.concerned).flat_map(|(of, i)| {
             let (speed, mean) = (self.items[*i as usize].body.velocity, self.means[*i as usize]);
@@ -262,8 +239,7 @@ impl Events {
     /// The mean accelerations of bodies in contact in media: forces linearised, then those at the point found (second order).
     fn take_mean_accelerations(&mut self, scene: &Scene, h: f64) {
         self.implicit.clear();
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
+        for i in self.concerned.iter().map(|i| *i as usize) {
             let item = &self.items[i];
             let answer = scene.media.stiffness(&item.body, &item.law, item.body.position, item.body.velocity);
             let (drag, stiffness) = (answer.drag, DVec2::new(0.0, answer.lift));
@@ -286,8 +262,7 @@ impl Events {
             before = off;
             self.guards.flows_cut_short += u64::from(pass == STEEP_PASSES);
         }
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
+        for i in self.concerned.iter().map(|i| *i as usize) {
             let item = &mut self.items[i];
             self.masses[i] = DVec2::splat(item.body.mass);
             // A liquid that slows a resting body less and less may push it off.
@@ -300,14 +275,11 @@ impl Events {
         }
     }
 
-    /// Takes the forces once more at that point. Where drag or lift there is so much steeper that such passes would diverge (from rest quadratic
-    /// drag has no slope), they become `steep`: each takes the slopes at its own point (Newton's method). Returns how much the next pass would
-    /// change, m/s.
+    /// Takes the forces once more at that point. Where drag or lift is so much steeper there that such passes would diverge (from rest quadratic drag
+    /// has no slope), they become `steep`: with slopes at their own point (Newton's method). Returns how much the next would change, m/s.
     fn correct_means(&mut self, scene: &Scene, h: f64, steep: &mut bool) -> f64 {
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
-            let (item, Implicit { theta, response, mean }) = (&self.items[i], &mut self.implicit[k]);
-            let (a, t) = (self.means[i], *theta * h);
+        for (i, Implicit { theta, response, mean }) in self.concerned.iter().map(|i| *i as usize).zip(&mut self.implicit) {
+            let (item, a, t) = (&self.items[i], self.means[i], *theta * h);
             let (x, v) = (item.body.position + t * item.body.velocity + t * t * a, item.body.velocity + t * a);
             let answer = scene.media.stiffness(&item.body, &item.law, x, v);
             let there = t * answer.drag + t * t * DVec2::new(0.0, answer.lift);
@@ -333,10 +305,9 @@ impl Events {
     }
 
     pub(crate) fn renew(&mut self, scene: &Scene, i: usize) {
-        let (position, velocity) = self.items[i].pose(scene.media, self.now);
         let item = &mut self.items[i];
-        (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
-        item.end = None;
+        (item.body.position, item.body.velocity) = item.pose(scene.media, self.now);
+        (item.since, item.end) = (self.now, None);
         if i < self.movable && item.motion != Travel::Coupled {
             item.until = end_of_a_cubic(scene, item);
         }

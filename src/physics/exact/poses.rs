@@ -1,19 +1,10 @@
 //! The present instant: poses of items, and contacts of two of them.
 
 use crate::physics::data::{Contact, SLOP, SPEED_ROUNDING, Sides};
-use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::Item;
+use crate::physics::exact::{events::Events, events::Scene, item::Item};
 use glam::DVec2;
 
 impl Events {
-    pub(crate) fn stop_here(&mut self, scene: &Scene) {
-        for i in 0..self.items.len() {
-            let (position, velocity) = self.items[i].pose(scene.media, self.now);
-            let item = &mut self.items[i];
-            (item.body.position, item.body.velocity, item.since) = (position, velocity, self.now);
-        }
-    }
-
     pub(crate) fn concern(&mut self, item: u32) {
         if self.is_body(item) && !self.is_concerned[item as usize] {
             self.is_concerned[item as usize] = true;
@@ -53,10 +44,7 @@ impl Events {
     }
 
     pub(crate) fn release(&mut self) {
-        for &item in &self.concerned {
-            self.is_concerned[item as usize] = false;
-        }
-        self.concerned.clear();
+        self.concerned.drain(..).for_each(|item| self.is_concerned[item as usize] = false);
         self.touching.clear();
         self.met = None;
         self.is_placed.fill(false);
@@ -100,9 +88,8 @@ impl Events {
 
     pub(crate) fn locate(&mut self, scene: &Scene, item: usize) -> DVec2 {
         if !self.is_placed[item] {
-            let (place, speed) = self.items[item].pose(scene.media, self.now);
+            (self.places[item], self.speeds[item]) = self.items[item].pose(scene.media, self.now);
             self.is_placed[item] = true;
-            (self.places[item], self.speeds[item]) = (place, speed);
             if item >= self.movable {
                 (self.free[item], self.solved[item]) = (self.items[item].solved, self.items[item].solved);
             }
@@ -110,8 +97,7 @@ impl Events {
         self.places[item]
     }
 
-    /// The contact of two items whose gap along an axis is at most the slop while they overlap along the other: along the axis along which they
-    /// overlap less, and on solid sides of a surface only.
+    /// The contact of two items whose gap along an axis is at most the slop: along that along which they overlap less, and on solid sides only.
     pub(crate) fn contact_now(&mut self, scene: &Scene, a: u32, b: u32) -> Option<Contact> {
         let (a, b) = (a.min(b), a.max(b));
         let apart = self.locate(scene, b as usize) - self.locate(scene, a as usize);

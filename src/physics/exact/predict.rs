@@ -1,19 +1,15 @@
 //! The next event of an item, on the paths that have been foreseen (`docs/physics.md`, From event to event; Lubachevsky 1991).
 
-use crate::physics::data::{
-    Aabb, Contact, Cubic, MICRO_SPEED, MOST_BORDERS, Polynomial, SLOP, SPEED_TOLERANCE, Sides, earliest, time_of_impact,
-};
-use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::{EventKind, Next, Travel};
+use crate::physics::data::tuning::{MICRO_SPEED, MOST_BORDERS, SLOP, SPEED_TOLERANCE};
+use crate::physics::data::{Aabb, Contact, Cubic, Polynomial, Sides, earliest, time_of_impact};
+use crate::physics::exact::{events::Events, events::Scene, item::EventKind, item::Next, item::Travel};
 use crate::physics::forces::zones;
 use glam::DVec2;
 
 impl Events {
     pub(crate) fn predict(&mut self, scene: &Scene, i: usize) {
         let mut next = self.own_next(scene, i);
-        if i < self.movable {
-            self.next_border(scene, i, &mut next);
-        }
+        self.next_border(scene, i, &mut next);
         self.pressing.clear();
         for slot in self.incident.slots(i) {
             let contact = &self.contacts[self.incident.list[slot] as usize];
@@ -46,15 +42,10 @@ impl Events {
     }
 
     pub(crate) fn own_next(&self, scene: &Scene, i: usize) -> Next {
-        let item = &self.items[i];
-        let mut next = Next::NEVER;
-        if item.until < scene.tick {
-            next.or_earlier(item.until, EventKind::Renew);
-        }
-        next
+        let at = self.items[i].until;
+        if at < scene.tick { Next { at, kind: EventKind::Renew, ..Next::NEVER } } else { Next::NEVER }
     }
 
-    /// When an item meets another one, up to the end of the earlier of their paths.
     fn next_hit(&self, i: usize, next: &mut Next) {
         let mine = &self.tracks[i];
         let from_here = mine.way_from(self.now);
@@ -67,37 +58,34 @@ impl Events {
         let lane = Aabb::new(lane.min - reach, lane.max + reach);
         for j in 0..self.tracks.len() {
             if j != i && self.lanes[j].touches(&lane, 0.0) {
-                let found = self.next_meeting(i, j, &from_here, next.at);
-                next.or_earlier(found.at, found.kind);
+                self.next_meeting(i, j, &from_here, next);
             }
         }
     }
 
-    /// When an item meets another one, if it does `before` a time (s from the tick's start).
-    fn next_meeting(&self, i: usize, j: usize, from_here: &Cubic, before: f64) -> Next {
+    fn next_meeting(&self, i: usize, j: usize, from_here: &Cubic, next: &mut Next) {
         let (now, mine, other) = (self.now, &self.tracks[i], &self.tracks[j]);
-        let mut next = Next::NEVER;
-        let end = mine.until.min(other.until).min(self.nexts[j].at).min(before) - now;
+        let end = mine.until.min(other.until).min(self.nexts[j].at).min(next.at) - now;
         if mine.is_still() && other.is_still() || end <= 0.0 {
-            return next;
+            return;
         }
         if let Some(of) = [i, j].into_iter().find(|k| self.items[*k].train.is_some()) {
             let (with, members) = (if of == i { j } else { i }, self.items[of].train.map_or([i as u32; 3], |train| train.members));
             if !self.tracks[with].is_still() && !members.contains(&(with as u32)) {
                 next.or_earlier(now, EventKind::Begin { other: j as u32 });
             }
-            return next;
+            return;
         }
         // Bodies that press on each other have met already; in media they may part, and meet again.
         let press = self.pressing.contains(&(j as u32));
         if mine.motion != Travel::Coupled && press {
-            return next;
+            return;
         }
         let from_there = other.way_from(now);
         // Seen from the one of the lower number, so that both come to the same bits.
         let motion = if i < j { from_here.relative(&from_there) } else { from_there.relative(from_here) };
         if motion.stands() {
-            return next;
+            return;
         }
         let (halves, sides) = (mine.half + other.half, self.items[i.max(j)].sides);
         // A contact that has begun may be outside its level by the rounding of a place.
@@ -112,15 +100,13 @@ impl Events {
         if let Some((t, axis)) = at_once.or_else(|| time_of_impact(&motion, reach, end, sides)) {
             let path = motion.axis(axis);
             let side = path.at(t).signum();
-            // Such roundings of two places would sink into each other by less than 1e-11 m within a tick; the errors of a step of two that press by
-            // less than 1e-10 m until it ends.
+            // Roundings of two places sink in by less than 1e-11 m within a tick; errors of a step of two that press by less than 1e-10 m until it ends.
             let left = if press { mine.until.min(other.until) - now - t } else { f64::INFINITY };
             let (slow, slight) = (SPEED_TOLERANCE.max(1e-10 / left), 1e-6_f64.max(1e-10 / (left * left)));
             if -side * path.slope(t) > slow || -side * path.curvature(t) > slight {
                 next.or_earlier(now + t, EventKind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
             }
         }
-        next
     }
 
     fn next_contact_change(&self, i: u32, contact: &Contact, next: &mut Next) {
@@ -149,16 +135,12 @@ impl Events {
 
     fn next_border(&mut self, scene: &Scene, i: usize, next: &mut Next) {
         let (item, track) = (&self.items[i], &self.tracks[i]);
-        if track.is_still() || self.streams.is_empty() {
+        let may = i < self.movable && !track.is_still() && !self.streams.is_empty();
+        if !may || self.borders[i].is_empty() || item.crossed.0 >= MOST_BORDERS {
             return;
         }
-        let end = track.until - self.now;
-        let near = &self.borders[i];
-        if near.is_empty() || self.items[i].crossed.0 >= MOST_BORDERS {
-            return;
-        }
-        let (way, pose) = (track.way_from(self.now), item.pose(scene.media, self.now));
-        for stream in near.iter() {
+        let (way, pose, end) = (track.way_from(self.now), item.pose(scene.media, self.now), track.until - self.now);
+        for stream in self.borders[i].iter() {
             let zone = &scene.media.streams[stream as usize].zone;
             let inside = zones::feels(zone, &item.body, pose);
             if zones::stays(&track.swept, item.body.half, zone, inside) {
@@ -182,8 +164,7 @@ fn reach_of(motion: &Cubic, mut reach: DVec2, sides: Sides) -> DVec2 {
     reach
 }
 
-/// When two boxes that lie in one plane come to face each other across it, and along which axis. They overlap by more than the slop then, however
-/// the time is rounded.
+/// When boxes in one plane come to face each other across it, and along which axis. They overlap by more than the slop then, however time is rounded.
 fn begins_flush(motion: &Cubic, reach: DVec2, end: f64, sides: Sides) -> Option<(f64, usize)> {
     let along = |axis: usize| {
         let (across, other) = (motion.axis(axis), 1 - axis);

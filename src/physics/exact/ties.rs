@@ -58,9 +58,7 @@ impl Events {
             }
         }
         self.before.clone_from(&self.speeds);
-        for k in 0..ties.len() {
-            self.rebound(&ties, k, speed);
-        }
+        (0..ties.len()).for_each(|k| self.rebound(&ties, k, speed));
         if let Some((contact, e)) = ties.first().map(|tie| (self.touching[tie.index], tie.e)) {
             self.begin_train(scene, &contact, e * speed, e);
         }
@@ -70,9 +68,7 @@ impl Events {
     /// Solves for the impulses. Returns false where the targets contradict each other.
     fn find_impulses(&mut self, ties: &mut [Tie]) -> bool {
         let most = ties.iter().map(|tie| tie.target).fold(0.0, f64::max);
-        for tie in &mut *ties {
-            (tie.impulse, tie.left) = (0.0, tie.target);
-        }
+        ties.iter_mut().for_each(|tie| (tie.impulse, tie.left) = (0.0, tie.target));
         let mut last = 0.0;
         for step in 0..4 * ties.len() {
             let mut size = 0.0;
@@ -139,8 +135,7 @@ impl Events {
         self.count_hit(&contact);
         for (item, sign) in [(contact.lo as usize, -1.0), (contact.hi as usize, 1.0)] {
             if item < self.movable {
-                let mass = self.items[item].body.mass;
-                self.speeds[item] += given * (sign / mass);
+                self.speeds[item] += given * (sign / self.items[item].body.mass);
             }
         }
         self.stop_exactly(&contact, relative);

@@ -1,5 +1,4 @@
-//! Trains of bounces in closed form: where their bodies are, and how fast, at any time of them; and, hit by hit, what bounces to and fro between a
-//! wall and another body without loss.
+//! Trains of bounces in closed form; and, hit by hit, what bounces to and fro between a wall and another body without loss.
 
 use crate::physics::data::{Aabb, Pose, on_axis};
 use glam::DVec2;

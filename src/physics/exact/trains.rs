@@ -1,11 +1,9 @@
-//! Trains of bounces as events, found from the state. One begins where bounces are short, or many are to come, and nothing else is within reach; it
-//! ends with its last bounce, with the tick, or where something comes near, and then lists what it has passed on.
+//! Trains of bounces as events. One begins where bounces are short, or many are to come, and nothing else is within reach; it ends with its last
+//! bounce, with the tick, or where something comes near, and then lists what it has passed on.
 
 use crate::physics::data::{Aabb, Contact, Cubic, DAMPED_REACH, MANY_HITS, NONE, SHORT_BOUNCE, SLOP, Sides, on_axis};
-use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::motions::SHORTEST;
-use crate::physics::exact::train::Wedge;
-use crate::physics::exact::train::{BounceSeries, Train, TrainKind};
+use crate::physics::exact::train::{BounceSeries, Train, TrainKind, Wedge};
+use crate::physics::exact::{events::Events, events::Scene, motions::SHORTEST};
 use crate::physics::forces::zones;
 use glam::DVec2;
 
@@ -86,10 +84,7 @@ impl Events {
             let faces = apart.abs().max((apart + slid + drift * lasts).abs()) + hop < reach;
             let clear = |k: usize| !self.is_body(pair[k]) || self.is_clear(scene, of[k], &trains[k]);
             if steady && faces && clear(0) && clear(1) {
-                for k in 0..1 + usize::from(joined) {
-                    self.set_train(of[k], trains[k]);
-                }
-                return;
+                return (0..1 + usize::from(joined)).for_each(|k| self.set_train(of[k], trains[k]));
             }
             most = 0.5 * lasts;
         }
@@ -138,17 +133,13 @@ impl Events {
         let along = 1 - axis;
         let smooth = |contact: &Contact| {
             let surface = contact.ends().1;
-            let rubs = contact.static_friction.max(contact.kinetic_friction) > 0.0;
-            !rubs && !self.is_body(surface) && self.tracks[surface as usize].is_still() && self.approach(contact) == 0.0
+            let holds = contact.normal > 0.0 && contact.static_friction.max(contact.kinetic_friction) <= 0.0;
+            holds && !self.is_body(surface) && self.tracks[surface as usize].is_still() && self.approach(contact) == 0.0
         };
         let mut carries = self.contacts.iter().filter(|contact| contact.has(item) && contact.axis == along).peekable();
         let free = carries.peek().is_none();
-        self.items[item as usize].law.is_constant()
-            && if free {
-                self.pull(scene, item)[along] == 0.0
-            } else {
-                carries.all(|contact| contact.normal > 0.0 && smooth(contact))
-            }
+        let mut level = || if free { self.pull(scene, item)[along] == 0.0 } else { carries.all(smooth) };
+        self.items[item as usize].law.is_constant() && level()
     }
 
     /// Lets a body that has just left a wall go to and fro between that and the next, under the `pull` (m/s²) on it. Returns whether it does.
@@ -199,7 +190,6 @@ impl Events {
         false
     }
 
-    /// Concerns a body and the surfaces that carry it.
     fn concern_carried(&mut self, scene: &Scene, item: u32) {
         if self.is_concerned[item as usize] {
             return;

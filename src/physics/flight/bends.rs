@@ -7,8 +7,7 @@ use crate::physics::flight::linked::{Linked, LinkedBodies, Pull};
 const BENT: f64 = 1e-13;
 
 impl LinkedBodies<'_> {
-    /// Where a law bends within the step of `h` seconds: brings the members near to that instant, and returns the length of a last step up to it, to
-    /// whose end their ends belong then.
+    /// Where a law bends within a step of `h` s: brings the members near to it. Returns the length of a last step up to it, which their ends belong to.
     pub(super) fn bend(&mut self, h: f64) -> Option<f64> {
         let (mut high, mut after) = (h, self.margin(h, Linked::end));
         if after >= 0.0 {

@@ -1,12 +1,9 @@
 //! Linked bodies fly together: the modified midpoint rule (Gragg 1965), extrapolated to order 16 at most (Bulirsch and Stoer 1966), over all of a
 //! group. No step crosses an instant at which a law bends (a rope becomes taut or slack, a magnet is at its nearest) or a link breaks.
 
-use crate::physics::data::{
-    Aabb, BALANCED, Body, Cubic, LINKED_ROUNDING, LINKED_TOLERANCE, LONGEST_SHORT, LinkEnd, LinkLaw, MOST_BENDS, Pose,
-    SHORTEST_LINKED, parabola,
-};
-use crate::physics::forces::link::Link;
-use crate::physics::forces::{Law, Media};
+use crate::physics::data::tuning::{BALANCED, LINKED_ROUNDING, LINKED_TOLERANCE, LONGEST_SHORT, MOST_BENDS, SHORTEST_LINKED};
+use crate::physics::data::{Aabb, Body, Cubic, LinkLaw, Pose, parabola};
+use crate::physics::forces::{Law, Link, Media};
 use glam::DVec2;
 
 /// Rows of the extrapolation: 2, 4, 6 … midpoint steps.
@@ -19,7 +16,7 @@ const ROUGH: f64 = 2e-11;
 /// Place, velocity and the impulse of the links since the step's begin; or their rates.
 type LinkedState = [DVec2; 3];
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Linked {
     pub id: u32,
     /// Contacts hold it: it stays, and the others fly around it.
@@ -48,30 +45,11 @@ pub(crate) struct Linked {
 
 impl Linked {
     pub fn new(body: &Body, id: u32, held: bool, law: Law) -> Self {
-        let (pose, none) = ((body.position, body.velocity), [DVec2::ZERO; 3]);
-        let places = Aabb::around(body.position, DVec2::ZERO);
-        Self {
-            id,
-            held,
-            rests: false,
-            least: (0.0, 0.0),
-            law,
-            pose,
-            mean: DVec2::ZERO,
-            places,
-            mass: body.mass,
-            force: DVec2::ZERO,
-            at: pose,
-            beyond: pose,
-            rates: none,
-            before: none,
-            end: none,
-            row: [none; ROWS],
-        }
+        let (pose, places) = ((body.position, body.velocity), Aabb::around(body.position, DVec2::ZERO));
+        Self { id, held, law, pose, places, mass: body.mass, at: pose, beyond: pose, ..Self::default() }
     }
 
-    /// Takes the result of a row with twice `number` + 2 midpoint steps. Returns the error of the row, in parts of the error allowed, which is larger
-    /// by `rough`, m.
+    /// Takes the result of a row with twice `number` + 2 midpoint steps. Returns its error in parts of that allowed, larger by `rough`, m.
     fn extrapolate(&mut self, number: usize, h: f64, rough: f64) -> f64 {
         let mut best = self.end;
         for k in 1..=number {
@@ -80,8 +58,7 @@ impl Linked {
             best = std::array::from_fn(|i| best[i] + (best[i] - before[i]) / (ratio * ratio - 1.0));
         }
         let last = self.row[number.saturating_sub(1)];
-        self.row[number] = best;
-        self.end = best;
+        (self.row[number], self.end) = (best, best);
         let error = (best[0] - last[0]).abs().max((best[1] - last[1]).abs() * h).max_element();
         let error = error / (LINKED_TOLERANCE + rough + 8.0 * f64::EPSILON * self.pose.0.abs().max_element());
         if number == 0 { f64::INFINITY } else { error }
@@ -107,7 +84,6 @@ impl Linked {
         (x, v)
     }
 
-    /// The rates in the pose `at`.
     fn rates_in(&self, media: &Media, bodies: &[Body]) -> LinkedState {
         if self.held {
             return [DVec2::ZERO, DVec2::ZERO, self.force];
@@ -136,7 +112,6 @@ pub(crate) fn little(stiffness: f64, place: DVec2) -> f64 {
     rounding(stiffness, place) + stiffness * LINKED_ROUNDING
 }
 
-/// A link of the group that flies.
 #[derive(Clone, Debug)]
 pub(crate) struct Pull {
     pub link: u32,
@@ -294,7 +269,8 @@ impl LinkedBodies<'_> {
             member.end = along(&member.before, &member.rates, part);
         }
         for step in 1..=count {
-            self.pull_at_ends(part * step as f64);
+            self.members.iter_mut().for_each(|member| member.at = member.end());
+            self.pull(part * step as f64);
             for member in &mut *self.members {
                 let rates = member.rates_in(self.media, self.bodies);
                 if step < count {
@@ -308,20 +284,13 @@ impl LinkedBodies<'_> {
         }
     }
 
-    fn pull_at_ends(&mut self, offset: f64) {
-        self.members.iter_mut().for_each(|member| member.at = member.end());
-        self.pull(offset);
-    }
-
     /// The forces of the links where the members are, `offset` seconds after the begin of the step.
     fn pull(&mut self, offset: f64) {
         self.members.iter_mut().for_each(|member| member.force = DVec2::ZERO);
         for k in 0..self.pulls.len() {
             let (force, ends) = (self.force(&self.pulls[k], offset), self.pulls[k].ends);
-            for (end, sign) in ends.into_iter().zip([1.0, -1.0]) {
-                if let Some(end) = end {
-                    self.members[end].force += force * sign;
-                }
+            for (end, sign) in ends.into_iter().zip([1.0, -1.0]).filter_map(|(end, sign)| Some((end?, sign))) {
+                self.members[end].force += force * sign;
             }
         }
     }
@@ -336,13 +305,9 @@ impl LinkedBodies<'_> {
     }
 
     pub(super) fn apart(&self, pull: &Pull, pose: impl Fn(&Linked) -> Pose) -> Pose {
-        let of = |end: Option<usize>| end.map_or((DVec2::ZERO, DVec2::ZERO), |end| pose(&self.members[end]));
-        let (x, v) = of(pull.ends[0]);
-        let (to, w) = match self.links[pull.link as usize].def.to {
-            LinkEnd::Body(_) => of(pull.ends[1]),
-            LinkEnd::Place(place) => (place, DVec2::ZERO),
-        };
-        (to - x, w - v)
+        let def = &self.links[pull.link as usize].def;
+        let end = |id: u32| pull.ends[usize::from(id != def.body.0)];
+        def.apart(|id| end(id).map_or_else(Pose::default, |end| pose(&self.members[end])))
     }
 
     /// The side of a law's border in those poses, and how much of the force that breaks the link is exceeded, N.

@@ -1,8 +1,5 @@
-//! The motion of one body near or in a liquid, without contacts.
-//!
-//! No step crosses a kink, where a side of the box passes a side of a liquid ([`crate::physics::forces::displaced`]). Wholly inside or outside and
-//! without Stokes' drag a body flies as through a denser air; otherwise it takes steps by their own error. A body at its terminal velocity stays on
-//! it; one whose bobbing is down to rounding is at rest.
+//! The motion of one body near or in a liquid, without contacts. Wholly inside or outside and without Stokes' drag it flies as through a denser air;
+//! otherwise it takes steps by their own error. At its terminal velocity it stays on that; when its bobbing is down to rounding it is at rest.
 
 use crate::physics::data::{BOBBING_REACH, Body, Cubic, HEAVY_REACH, Pose, TERMINAL_TOLERANCE};
 use crate::physics::flight::air::fly_through;
@@ -16,18 +13,13 @@ struct Swimmer<'a> {
     law: &'a Law,
 }
 
-/// The media at a place, and the constant acceleration there, m/s².
+/// The media at a place, and the accelerations there: the constant one, and that with buoyancy, m/s².
 struct Surroundings {
     bath: Bath,
     constant: DVec2,
+    free: DVec2,
     /// Whether a liquid bears its weight: the vertical accelerations then balance exactly.
     floats: bool,
-}
-
-impl Surroundings {
-    fn free(&self) -> DVec2 {
-        DVec2::new(self.constant.x, self.constant.y - self.bath.lift)
-    }
 }
 
 enum FlightKind {
@@ -57,15 +49,9 @@ pub(crate) fn flow_while(media: &Media, body: &Body, law: &Law, t: f64, goes_on:
 }
 
 /// The same of bodies near liquids. Those that bob straight up and down take their steps side by side, to the same bits.
-pub(crate) fn flow_side_by_side(
-    media: &Media,
-    of: &[u32],
-    (bodies, laws): (&[Body], &[Law]),
-    t: f64,
-    mut out: impl FnMut(u32, Course),
-) {
+pub(crate) fn flow_side_by_side(media: &Media, of: &[u32], all: (&[Body], &[Law]), t: f64, mut out: impl FnMut(u32, Course)) {
     for of in of.chunks(4) {
-        let of = of.iter().map(|i| (*i, &bodies[*i as usize], &laws[*i as usize]));
+        let of = of.iter().map(|i| (*i, &all.0[*i as usize], &all.1[*i as usize]));
         let (mut bobs, mut any) = ([Bob::default(); 4], false);
         for (bob, (_, body, law)) in bobs.iter_mut().zip(of.clone()) {
             any |= Swimmer::begin(media, body, law).bobs(t, bob);
@@ -93,8 +79,7 @@ impl<'a> Swimmer<'a> {
 
     /// Sets its vertical motion in one surface, if it has one that one step of `t` seconds may resolve.
     fn bobs(&self, t: f64, bob: &mut Bob) -> bool {
-        let (x, v) = self.pose();
-        let (constant, body) = (self.regime.constant, self.regime.body);
+        let ((x, v), constant, body) = (self.pose(), self.regime.constant, self.regime.body);
         let Some(law) = self.regime.vertical(constant, x, v).filter(|_| v.y != 0.0 && !self.law.rough) else { return false };
         let bath = self.regime.bath(x);
         let drag = rate_of_drag(&bath, DVec2::new(constant.x, constant.y - bath.lift), v);
@@ -164,11 +149,10 @@ impl<'a> Swimmer<'a> {
             constant.y = bath.lift;
             (bath.stiffness, bath.waves) = (0.0, 0.0);
         }
-        Surroundings { bath, constant, floats }
+        Surroundings { bath, constant, free: DVec2::new(constant.x, constant.y - bath.lift), floats }
     }
 
-    /// The most steps of `t` seconds; one implicit step ([`Swimmer::leap`]) leads through the rest. A rough course of a body that a liquid brings
-    /// to the speed of its place long before the end is that one step.
+    /// The most steps of `t` seconds; [`Swimmer::leap`] leads through the rest, or at once where a rough course soon has the speed of its place.
     fn most_steps(&self, pose: Pose, t: f64) -> u32 {
         if !self.law.rough {
             return 128;
@@ -183,12 +167,10 @@ impl<'a> Swimmer<'a> {
 
     fn come_to_rest(&mut self, (x, v): &mut Pose) {
         let bath = self.regime.follow(*x).bath(*x);
-        if bath.stiffness > 0.0 && bath.linear + bath.waves > 0.0 {
-            let (constant, body) = (self.regime.constant, self.regime.body);
-            let rounding = bath.rounding(constant, body, x.y);
-            if v.y.abs() * bath.stiffness.sqrt() <= rounding && (constant.y - bath.lift).abs() <= rounding {
-                v.y = 0.0;
-            }
+        let (constant, damped) = (self.regime.constant, bath.stiffness > 0.0 && bath.linear + bath.waves > 0.0);
+        let rounding = bath.rounding(constant, self.regime.body, x.y);
+        if damped && v.y.abs() * bath.stiffness.sqrt() <= rounding && (constant.y - bath.lift).abs() <= rounding {
+            v.y = 0.0;
         }
     }
 
@@ -230,7 +212,7 @@ impl<'a> Swimmer<'a> {
     }
 
     fn kind(&self, place: &Surroundings, v: DVec2) -> FlightKind {
-        let (bath, free) = (&place.bath, place.free());
+        let (bath, free) = (&place.bath, place.free);
         let same_around = self.regime.displaced.is_same_around();
         if same_around && let Some(velocity) = settled(bath, free, v) {
             return FlightKind::Settled(velocity);
@@ -238,19 +220,20 @@ impl<'a> Swimmer<'a> {
         if same_around && bath.linear == 0.0 {
             return FlightKind::Air(BOBBING_REACH / fastest(bath, free, v));
         }
-        let drag = rate_of_drag(bath, free, v);
-        FlightKind::Neither { drag, bobs: bath.stiffness.sqrt() }
+        FlightKind::Neither { drag: rate_of_drag(bath, free, v), bobs: bath.stiffness.sqrt() }
     }
 
     /// One step of at most `h` of the `left` seconds.
     fn take(&self, place: &Surroundings, pose: Pose, h: f64, left: f64) -> Course {
-        let (regime, bath, constant, free) = (&self.regime, &place.bath, place.constant, place.free());
+        let (regime, bath, constant, free) = (&self.regime, &place.bath, place.constant, place.free);
         match self.kind(place, pose.1) {
             FlightKind::Settled(velocity) => take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity)),
             FlightKind::Air(longest) => take_exact(regime, pose, left.min(longest), |t| fly_through(pose, free, &bath.drag, t)),
             FlightKind::Neither { drag, bobs } => {
                 let (rate, heavy) = (drag + bobs, drag - bobs);
-                let implicit = heavy * h.min(left) > HEAVY_REACH && is_even(bath.acceleration(constant, pose.1), pose.1, heavy);
+                // Implicit once it has come to the speed of its place but for a tenth.
+                let even = || bath.acceleration(constant, pose.1).length() < 0.1 * heavy * pose.1.length();
+                let implicit = heavy * h.min(left) > HEAVY_REACH && even();
                 let slopes = implicit.then(|| regime.slopes(pose.0, pose.1));
                 let steps = Steps { regime, bath, constant, slopes, rough: if self.law.rough { 1e-3 } else { 0.0 } };
                 let longest = match h.is_finite() {
@@ -298,11 +281,6 @@ fn fastest(bath: &Bath, free: DVec2, v: DVec2) -> f64 {
 /// The greater eigenvalue of drag's linearisation, 1/s: of the quadratic one 2·s(v).
 fn rate_of_drag(bath: &Bath, free: DVec2, v: DVec2) -> f64 {
     2.0 * fastest(bath, free, v) + bath.linear + bath.waves
-}
-
-/// Whether a body accelerated by `pull` has come to the speed of its place but for a tenth, in a law of that rate, 1/s.
-fn is_even(pull: DVec2, v: DVec2, rate: f64) -> bool {
-    pull.length() < 0.1 * rate * v.length()
 }
 
 /// The terminal velocity in one medium all around, if `v` has reached it; `free` is the acceleration besides drag, m/s².

@@ -1,15 +1,11 @@
 //! Steps through liquids by their own estimate of their error: the embedded Runge–Kutta pair of J. R. Dormand and P. J. Prince (1980), of fifth
-//! order; or, where stability would cut those short, implicit ones ([`crate::physics::flight::implicit`]).
-//!
-//! No step crosses a kink ([`crate::physics::forces::displaced`]), or a turn, where a component of the velocity changes its sign (|u|·u has a
-//! corner at 0). Small turns are passed over: a corner `τ` seconds from the end of a step of `h` seconds is worth about k·a²·τ³·h, with k the drag
-//! per m and a the acceleration.
+//! order; or, where stability would cut those short, implicit ones ([`crate::physics::flight::implicit`]). No step crosses a kink
+//! ([`crate::physics::forces::displaced`]), or a turn, where a component of the velocity changes its sign (|u|·u has a corner at 0) that matters.
 
 use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, Quintic, earliest};
-use crate::physics::flight::implicit;
-use crate::physics::forces::displaced::Displaced;
 use crate::physics::forces::liquid::{Bath, Regime, Slopes, Vertical};
-use glam::DVec2;
+use crate::physics::{flight::implicit, forces::displaced::Displaced};
+use glam::{DVec2, DVec4};
 use std::array::from_fn;
 use std::ops::{Add, AddAssign, Mul};
 
@@ -41,17 +37,12 @@ impl Steps<'_> {
         (FLIGHT_TOLERANCE * (rate * rate) / (1e-4 * pull)).sqrt().sqrt() / rate
     }
 
-    /// One step of at most `h` of the `left` seconds.
-    ///
-    /// # Errors
-    /// How short a step would still resolve too little.
+    /// One step of at most `h` of the `left` seconds; or how short a step would still resolve too little.
     pub fn take(&self, pose: Pose, mut h: f64, left: f64) -> Result<Course, f64> {
-        let (x, v) = pose;
+        let ((x, v), shortest) = (pose, left * f64::EPSILON);
         let least = FLIGHT_TOLERANCE + 8.0 * f64::EPSILON * x.abs().max_element();
-        let shortest = left * f64::EPSILON;
         let pull = self.bath.acceleration(self.constant, v);
-        let mut next = h;
-        let (mut to_kink, mut shrunk) = (false, false);
+        let (mut next, mut to_kink, mut shrunk, mut cuts) = (h, false, false, 0);
         if !self.regime.displaced.holds_along([x + v * (0.5 * h), x + (v + pull * (0.5 * h)) * h])
             && let Some(kink) = self.regime.displaced.end_of(&Cubic::parabola(x, v, pull), h)
         {
@@ -62,7 +53,6 @@ impl Steps<'_> {
         {
             (h, to_kink) = (turn.max(shortest), false);
         }
-        let mut cuts = 0;
         loop {
             let step = self.step(pose, pull, h);
             let Step { end, pull: last, error } = step;
@@ -107,7 +97,7 @@ impl Steps<'_> {
     fn turn_ahead(&self, v: DVec2, pull: DVec2, h: f64, tolerance: f64) -> Option<f64> {
         let turn = |axis: usize| {
             let t = -v[axis] / pull[axis];
-            (t > 0.0 && t < h && self.turn(axis, v, pull).bends(t.min(h - t), h, tolerance)).then_some(t)
+            (t > 0.0 && t < h && self.bends(axis, (v, pull), t.min(h - t), h, tolerance)).then_some(t)
         };
         earliest(turn(0), turn(1))
     }
@@ -116,17 +106,19 @@ impl Steps<'_> {
     fn since_turn(&self, before: DVec2, Step { end: (_, v), pull, .. }: &Step, h: f64, tolerance: f64) -> Option<f64> {
         let turn = |axis: usize| {
             let t = if before[axis] * v[axis] < 0.0 { v[axis] / pull[axis] } else { 0.0 };
-            (t > 0.0 && self.turn(axis, *v, *pull).bends(t.min(h), h, tolerance)).then_some(t)
+            (t > 0.0 && self.bends(axis, (*v, *pull), t.min(h), h, tolerance)).then_some(t)
         };
         let (x, y) = (turn(0), turn(1));
         if x > y { x } else { y }
     }
 
-    fn turn(&self, axis: usize, v: DVec2, pull: DVec2) -> Turn {
-        let drag = &self.bath.drag;
-        let straight = if axis == 0 { drag.tall } else { drag.wide };
-        Turn { straight, round: drag.round, gain: pull[axis].abs(), beside: v[1 - axis].abs() }
+    /// Whether the corner of the drag at a turn, `t` seconds from an end of a step of `h` seconds, adds more than a tenth of the error allowed, m.
+    fn bends(&self, axis: usize, (v, pull): (DVec2, DVec2), t: f64, h: f64, tolerance: f64) -> bool {
+        let (drag, gain, beside) = (&self.bath.drag, pull[axis].abs(), v[1 - axis].abs());
+        let rate = if beside < gain * h { drag.round } else { 0.0 } + if axis == 0 { drag.tall } else { drag.wide };
+        rate * gain * (t * t) * h * (gain * t + beside) > 0.1 * tolerance
     }
+
     fn step(&self, (x, v): Pose, pull: DVec2, h: f64) -> Step {
         if let Some(slopes) = &self.slopes {
             let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
@@ -161,23 +153,6 @@ where
     ((at, speeds[6]), pulls[6], [sum(&speeds, &ERROR) * h, sum(&pulls, &ERROR) * (h * h)])
 }
 
-/// Where a component of the velocity changes its sign: drag there per m, acceleration along it, and the speed along the other axis.
-struct Turn {
-    straight: f64,
-    round: f64,
-    gain: f64,
-    beside: f64,
-}
-
-impl Turn {
-    /// Whether the corner of the drag, `t` seconds from an end of a step of `h` seconds, adds more than a tenth of the error allowed, m.
-    fn bends(&self, t: f64, h: f64, tolerance: f64) -> bool {
-        let Self { straight, round, gain, beside } = *self;
-        let rate = if beside < gain * h { round } else { 0.0 } + straight;
-        rate * gain * (t * t) * h * (gain * t + beside) > 0.1 * tolerance
-    }
-}
-
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Step {
     pub end: Pose,
@@ -186,7 +161,6 @@ pub(crate) struct Step {
 }
 
 impl Step {
-    /// Of a body that keeps to the vertical at `x`.
     fn along(x: f64, (y, v): (f64, f64), pull: f64, error: f64) -> Self {
         Self { end: (DVec2::new(x, y), DVec2::new(0.0, v)), pull: DVec2::new(0.0, pull), error }
     }
@@ -215,72 +189,13 @@ impl Bob {
     }
 }
 
-/// Numbers of bodies that bob side by side.
-#[derive(Clone, Copy)]
-struct Lanes([f64; 4]);
-
-impl Add for Lanes {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self(from_fn(|k| self.0[k] + other.0[k]))
-    }
-}
-
-impl AddAssign for Lanes {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl Mul<f64> for Lanes {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, factor: f64) -> Self {
-        Self(self.0.map(|part| part * factor))
-    }
-}
-
 /// A step of `h` seconds of each of them: while one waits for a result, the others go on.
 #[inline(always)]
 pub(crate) fn bob_side_by_side(of: &[Bob; 4], h: f64) -> [Step; 4] {
-    let law = |y: Lanes, v: Lanes| Lanes(from_fn(|k| of[k].law.pull(y.0[k], v.0[k])));
-    let lanes = |part: fn(&Bob) -> f64| Lanes(from_fn(|k| part(&of[k])));
+    let law = |y: DVec4, v: DVec4| DVec4::from_array(from_fn(|k| of[k].law.pull(y[k], v[k])));
+    let lanes = |part: fn(&Bob) -> f64| DVec4::from_array(from_fn(|k| part(&of[k])));
     let ((y, v), last, [way, speed]) = pair((lanes(|bob| bob.x.y), lanes(|bob| bob.v)), lanes(|bob| bob.pull), h, law);
-    from_fn(|k| Step::along(of[k].x.x, (y.0[k], v.0[k]), last.0[k], way.0[k].abs().max(speed.0[k].abs())))
-}
-
-/// Velocities and accelerations at the stages of a step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Stages {
-    speeds: [DVec2; 7],
-    pulls: [DVec2; 7],
-}
-
-impl Stages {
-    pub fn new(speed: DVec2, pull: DVec2) -> Self {
-        Self { speeds: [speed; 7], pulls: [pull; 7] }
-    }
-
-    /// How far from its begin a stage of a step of `h` seconds is, and how fast.
-    #[inline(always)]
-    pub fn at(&self, weights: &[f64], h: f64) -> Pose {
-        (sum(&self.speeds, weights) * h, self.speeds[0] + sum(&self.pulls, weights) * h)
-    }
-
-    #[inline(always)]
-    pub fn take(&mut self, stage: usize, speed: DVec2, pull: DVec2) {
-        (self.speeds[stage], self.pulls[stage]) = (speed, pull);
-    }
-
-    /// m.
-    #[inline(always)]
-    pub fn error(&self, weights: &[f64], h: f64) -> f64 {
-        (sum(&self.speeds, weights) * h).abs().max((sum(&self.pulls, weights) * (h * h)).abs()).max_element()
-    }
+    from_fn(|k| Step::along(of[k].x.x, (y[k], v[k]), last[k], way[k].abs().max(speed[k].abs())))
 }
 
 /// A body's part of a step of several.
@@ -289,7 +204,9 @@ pub(crate) struct CoupledStep {
     pub start: Pose,
     /// How far from there it is at the present stage, and how fast: bodies that move as one have the same bits, whatever their places.
     pub end: Pose,
-    pub stages: Stages,
+    /// At the stages of the step.
+    speeds: [DVec2; 7],
+    pulls: [DVec2; 7],
     /// The acceleration at the present stage, m/s².
     pull: DVec2,
     /// Whether an acceleration differs from the first.
@@ -298,13 +215,24 @@ pub(crate) struct CoupledStep {
 
 impl CoupledStep {
     pub fn new(start: Pose, pull: DVec2) -> Self {
-        Self { start, end: (DVec2::ZERO, start.1), stages: Stages::new(start.1, pull), pull, bends: false }
+        Self { start, end: (DVec2::ZERO, start.1), speeds: [start.1; 7], pulls: [pull; 7], pull, bends: false }
+    }
+
+    /// Goes to a stage of a step of `h` seconds.
+    #[inline(always)]
+    pub fn go_to(&mut self, weights: &[f64], h: f64) {
+        self.end = (sum(&self.speeds, weights) * h, self.speeds[0] + sum(&self.pulls, weights) * h);
     }
 
     pub fn take(&mut self, stage: usize, pull: DVec2) {
-        self.stages.take(stage, self.end.1, pull);
-        self.pull = pull;
-        self.bends |= pull != self.stages.pulls[0];
+        (self.speeds[stage], self.pulls[stage], self.pull) = (self.end.1, pull, pull);
+        self.bends |= pull != self.pulls[0];
+    }
+
+    /// m.
+    #[inline(always)]
+    pub fn error(&self, weights: &[f64], h: f64) -> f64 {
+        (sum(&self.speeds, weights) * h).abs().max((sum(&self.pulls, weights) * (h * h)).abs()).max_element()
     }
 
     pub fn pose(&self) -> Pose {
@@ -313,9 +241,9 @@ impl CoupledStep {
 
     /// The path through both ends of `h` seconds, from a time on, with the accelerations there; a cubic where contacts change just before the end.
     pub fn course(&self, since: f64, h: f64, changes: bool) -> Quintic {
-        let Self { start: (x, v), end: (way, w), stages, .. } = *self;
+        let Self { start: (x, v), end: (way, w), .. } = *self;
         let b = if changes { (6.0 * way / h - 2.0 * v - 4.0 * w) / -h } else { self.pull };
-        Quintic::through(since, [x, v, stages.pulls[0]], [way, w, b], h)
+        Quintic::through(since, [x, v, self.pulls[0]], [way, w, b], h)
     }
 }
 
@@ -343,7 +271,7 @@ const STAGES: [&[f64]; 6] = [
 /// The difference of its results of fifth and fourth order.
 const ERROR: [f64; 7] = [71.0 / 57_600.0, 0.0, -71.0 / 16_695.0, 71.0 / 1920.0, -17_253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// A Runge–Kutta method: its stages but the first, of which the last is its result, when they are in parts of a step, and the weights of its error.
+/// Its stages but the first, of which the last is its result, when they are in parts of a step, and the weights of its error.
 pub(crate) struct RungeKutta {
     pub stages: &'static [&'static [f64]],
     pub times: &'static [f64],

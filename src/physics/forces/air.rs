@@ -1,6 +1,5 @@
-//! Air Resistance, and the same of liquids: −½·ρ·C_d·(w·|u_y| + h·|u_x|)·u on a box of w × h, 1 m deep (the area that it shows along u); on a
-//! round body −½·ρ·C_d·d·|u|·u with d its diameter (Batchelor, *An Introduction to Fluid Dynamics*, 5.11). Per mass this is −s(u)·u with a rate
-//! s that is homogeneous of degree 1.
+//! Drag of air and liquids: −½·ρ·C_d·(w·|u_y| + h·|u_x|)·u on a box of w × h, 1 m deep (the area that it shows along u); on a round body
+//! −½·ρ·C_d·d·|u|·u with d its diameter (Batchelor, *An Introduction to Fluid Dynamics*, 5.11).
 
 use crate::physics::data::{Body, Part, called};
 use crate::physics::forces::media::Media;
@@ -48,7 +47,7 @@ impl Drag {
     }
 
     pub fn is_none(&self) -> bool {
-        self.tall == 0.0 && self.wide == 0.0 && self.round == 0.0
+        *self == Self::default()
     }
 
     pub fn scaled(&self, factor: f64) -> Self {

@@ -1,13 +1,9 @@
 //! The law by which a body moves that touches nothing: constant forces, drag and buoyancy.
 
 use crate::physics::data::{Aabb, Body, FluidDef, Part, Pose, WAVES, called};
-use crate::physics::forces::air::Drag;
-use crate::physics::forces::displaced::{Displaced, STOKES};
-use crate::physics::forces::kind::{ForceKind, Source};
 use crate::physics::forces::liquid::{Regime, Stiffness, dry, sure};
-use crate::physics::forces::manager::{Force, ForceManager};
-use crate::physics::forces::media::Media;
-use crate::physics::forces::weight::fall;
+use crate::physics::forces::{air::Drag, displaced::Displaced, displaced::STOKES, kind::ForceKind, kind::Source, media::Media};
+use crate::physics::forces::{manager::Force, manager::ForceManager, media::fall};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -78,10 +74,8 @@ impl Media {
     }
 
     pub fn stiffness(&self, body: &Body, law: &Law, x: DVec2, v: DVec2) -> Stiffness {
-        if !law.is_near_liquid() {
-            return Stiffness { drag: law.air.stiffness(v), lift: 0.0 };
-        }
-        law.regime(self, body, x).bath(x).answer(v)
+        let near = law.is_near_liquid();
+        if near { law.regime(self, body, x).bath(x).answer(v) } else { Stiffness { drag: law.air.stiffness(v), lift: 0.0 } }
     }
 
     /// Rate of bobbing, and of drag after an acceleration `a`, 1/s.
@@ -127,8 +121,7 @@ impl Media {
             }
             wet += part.fraction;
             let drag = part.drag.rate(v) + part.linear;
-            let drag = -v * DVec2::new(drag, drag + part.waves) * mass;
-            add(ForceKind::ViscousDrag, Source::Fluid(i), drag);
+            add(ForceKind::ViscousDrag, Source::Fluid(i), -v * DVec2::new(drag, drag + part.waves) * mass);
             add(ForceKind::Buoyancy, Source::Fluid(i), DVec2::new(0.0, -mass * part.lift));
         }
         if !law.air.is_none() {

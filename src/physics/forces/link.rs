@@ -1,27 +1,40 @@
-//! Links: a force between two bodies, or a body and a place. A law is a file of its own and a line in [`LinkLaw`].
+//! Links: a force between two bodies, or a body and a place.
 
 use crate::physics::data::domain::{DefError, MOST_DAMPING, MOST_STIFFNESS, expect};
-use crate::physics::data::{Body, LinkDef, LinkLaw, Magnet, Pose, first, refill};
+use crate::physics::data::{Body, LinkDef, LinkLaw, Magnet, Pose, Spring, first, refill};
 use crate::physics::forces::kind::ForceKind;
 use glam::DVec2;
-
-mod magnet;
-mod rope;
-mod spring;
 
 /// Rate × time of a part of a tick, at most, where links are stiff. Larger: things on stiff links are thrown off; smaller: more parts.
 const REACH: f64 = 1.0;
 
+impl Spring {
+    /// F = k·(ℓ − L) + c·ℓ′ along its length ℓ on the first end, pulling where that is longer than L, N (Hooke 1678).
+    #[inline]
+    fn force(&self, apart: DVec2, parting: DVec2) -> DVec2 {
+        let along = apart.normalize_or_zero();
+        apart * self.stiffness + along * (self.damping * along.dot(parting) - self.stiffness * self.length)
+    }
+
+    /// ½k(ℓ − L)², J.
+    fn energy(&self, distance: f64) -> f64 {
+        0.5 * self.stiffness * (distance - self.length).powi(2)
+    }
+}
+
 impl LinkLaw {
-    /// The force on the first end, N; `apart` (m) leads from it to the other end, `parting` (m/s) is the rate of that. `above`: as above the
-    /// [`LinkLaw::border`], on either side of it.
+    /// On the first end, N; `apart` (m) leads to the other end and grows by `parting` (m/s). `above`: as above [`LinkLaw::border`], on either side.
     #[inline]
     pub(crate) fn force(&self, above: bool, apart: DVec2, parting: DVec2) -> DVec2 {
         match self {
             Self::Spring(spring) => spring.force(apart, parting),
             Self::Rope(rope) if above => rope.force(apart, parting),
             Self::Rope(_) => DVec2::ZERO,
-            Self::Magnet(magnet) => magnet.force(above, apart),
+            // F = s/ℓ² at a distance ℓ; nearer it falls evenly to 0 at none, as gravity does inside a ball of even density.
+            Self::Magnet(Magnet { strength, nearest }) => {
+                let distance = if above { apart.length() } else { *nearest };
+                apart * (strength / (distance * distance * distance)).clamp(-f64::MAX, f64::MAX)
+            }
         }
     }
 
@@ -34,11 +47,14 @@ impl LinkLaw {
         }
     }
 
-    /// The law bends where this is 0.
+    /// The law bends where this is 0: of a rope the smaller one of its stretch and of its pull in stretches, m, above 0 where it pulls.
     pub(crate) fn border(&self, apart: DVec2, parting: DVec2) -> f64 {
         match self {
             Self::Spring(_) => 1.0,
-            Self::Rope(rope) => rope::tautness(rope, apart, parting),
+            Self::Rope(Spring { length, stiffness, damping }) => {
+                let (stretch, rate) = (apart.length() - length, apart.normalize_or_zero().dot(parting));
+                stretch.min((stiffness * stretch + damping * rate) / (stiffness + damping).max(f64::MIN_POSITIVE))
+            }
             Self::Magnet(magnet) => apart.length() - magnet.nearest,
         }
     }
@@ -69,7 +85,7 @@ pub struct Link {
     pub(crate) law: LinkLaw,
     pub(crate) on: bool,
     pub(crate) winds: bool,
-    /// It has begun: its ends have touched, if it is one that waits for that.
+    /// Its ends have touched, if it is one that waits for that.
     pub(crate) begun: bool,
     pub(crate) broken: bool,
     /// The rate of the fastest motion that it may give one of its ends, together with the links there are, 1/s.
@@ -77,8 +93,7 @@ pub struct Link {
 }
 
 impl Link {
-    /// # Errors
-    /// What [`LinkDef`] cannot be; links too stiff for a body, all of its `others` together.
+    /// Refuses what [`LinkDef`] cannot be, and links too stiff for a body, all of its `others` together.
     pub(crate) fn new(def: LinkDef, bodies: &[Body], others: &[Self]) -> Result<Self, DefError> {
         def.check(bodies)?;
         let mut law = def.law;
@@ -94,12 +109,9 @@ impl Link {
             let mass = bodies[end.index()].mass;
             let rates = others.iter().filter(|other| other.def.has(end.0)).chain([&link]).map(|link| link.law.rates());
             let [stiffness, damping] = rates.fold([0.0, 0.0], |sum, of| [sum[0] + of[0], sum[1] + of[1]]);
-            expect(stiffness <= MOST_STIFFNESS * mass && damping <= MOST_DAMPING * mass, || {
-                format!(
-                    "a link of {stiffness} N/m and {damping} N·s/m on {mass} kg, all of its links together, expected at most \
-                     {MOST_STIFFNESS} N/m and {MOST_DAMPING} N·s/m per kg"
-                )
-            })?;
+            let found = || format!("a link of {stiffness} N/m and {damping} N·s/m on {mass} kg, all of its links together");
+            let reason = || format!("{}, expected at most {MOST_STIFFNESS} N/m and {MOST_DAMPING} N·s/m per kg", found());
+            expect(stiffness <= MOST_STIFFNESS * mass && damping <= MOST_DAMPING * mass, reason)?;
             link.fastest = link.fastest.max((2.0 * stiffness / mass).sqrt() + damping / mass);
         }
         Ok(link)
@@ -120,7 +132,7 @@ impl Link {
         self.broken
     }
 
-    /// Whether it acts: a switch that works it is on, its ends have touched, if it is one that waits for that, and it has not broken.
+    /// Whether it is on, has begun, and has not broken.
     pub const fn acts(&self) -> bool {
         self.on && self.begun && !self.broken
     }

@@ -1,20 +1,14 @@
-//! Liquids: in one of density ρ and viscosity η a body of which the fraction f is inside feels
-//!
-//! - **Buoyancy** ρ·g·V·f (Archimedes), V its box, 1 m deep;
-//! - **Viscous Drag** of three parts: the quadratic drag of the air's formula with the liquid's density, times f; Stokes' 3π·η·d·u, times
-//!   f, with the mean of width and height as diameter d; and, up and down, the waves that a body makes which the surface cuts.
-//!
-//! `docs/physics.md`, Liquids, has the formula of the waves with its reasons and sources. Air acts on the part outside. A body without velocity
-//! whose forces balance to rounding has no acceleration, and a resultant of exactly zero.
+//! Liquids: in one of density ρ and viscosity η a body of which the fraction f is inside feels the buoyancy ρ·g·V·f, V its box, 1 m deep; and a drag
+//! of three parts: the air's formula with ρ, times f; Stokes' 3π·η·d·u, times f, with d the mean of width and height; and, up and down, the waves of
+//! what the surface cuts (`docs/physics.md`, Liquids). A body without velocity whose forces balance to rounding has a resultant of exactly zero.
 
 use crate::physics::data::body::Body;
-use crate::physics::forces::air::Drag;
 use crate::physics::forces::displaced::{Displaced, LinearLaw, Waves};
-use crate::physics::forces::media::Media;
+use crate::physics::forces::{air::Drag, media::Media};
 use glam::{DMat2, DVec2};
 use std::borrow::Cow;
 
-/// −∂a/∂v along either axis, 1/s, and −∂a_y/∂y by buoyancy, 1/s², both ≥ 0: for implicit steps.
+/// −∂a/∂v along either axis, 1/s, and −∂a_y/∂y by buoyancy, 1/s², both ≥ 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Stiffness {
     pub drag: DVec2,
@@ -53,15 +47,13 @@ impl Bath {
         Stiffness { drag: self.drag.stiffness(v) + self.linear + DVec2::new(0.0, self.waves), lift: self.stiffness }
     }
 
-    /// The rounding of a balance along the vertical at `y`, m/s².
+    /// Of a balance along the vertical at `y`, m/s². Smaller: a floating body never comes to rest; larger: it rests beside its waterline.
     pub fn rounding(&self, constant: DVec2, body: &Body, y: f64) -> f64 {
-        // Smaller: a floating body never comes to rest; larger: it rests beside its waterline.
         4e-14 * (constant.y.abs() + self.lift.abs() + self.stiffness * (y.abs() + body.half.y))
     }
 }
 
-/// The least part of a body at `x` that is surely more than the rounding of its fraction inside liquids: 16 roundings of its coordinates, in its
-/// halves. Smaller: a part of 1e-16 of a body wholly inside meets the air.
+/// The least part of a body at `x` that is more than a rounding: 16 of its coordinates, in its halves. Smaller: air meets what is wholly inside.
 pub(crate) fn sure(body: &Body, x: DVec2) -> f64 {
     (16.0 * f64::EPSILON * (1.0 + (x.abs() / body.half).max_element())).min(1e-6)
 }
@@ -137,14 +129,9 @@ impl<'a> Regime<'a> {
     pub fn bath(&self, x: DVec2) -> Bath {
         let (displaced, apart) = (&self.displaced, self.displaced.apart(x));
         let (wet, dry) = self.densities(apart);
-        Bath {
-            fraction: displaced.fraction.at(apart),
-            drag: self.drag.scaled(wet + dry),
-            linear: displaced.linear.at(apart),
-            waves: self.damping(apart),
-            lift: self.lift * wet,
-            stiffness: displaced.over_cuts(self.media, self.body, |cut| cut.stiffness(apart)),
-        }
+        let (fraction, linear) = (displaced.fraction.at(apart), displaced.linear.at(apart));
+        let stiffness = displaced.over_cuts(self.media, self.body, |cut| cut.stiffness(apart));
+        Bath { fraction, drag: self.drag.scaled(wet + dry), linear, waves: self.damping(apart), lift: self.lift * wet, stiffness }
     }
 
     /// Acceleration at `x` with velocity `v` by media and `constant`, m/s²: [`Bath::acceleration`] for integrators.

@@ -1,5 +1,4 @@
-//! The force manager of a body: the named constant forces that the step moves it by. `World::forces` lists with them, at the tick's end, the values
-//! of the laws that change within a tick and of the contacts.
+//! The named constant forces on a body; `World::forces` lists with them, at the tick's end, those of laws that change within a tick and of contacts.
 
 use crate::physics::forces::kind::{ForceKind, Source};
 use glam::DVec2;
@@ -26,13 +25,12 @@ pub struct ForceManager {
 }
 
 impl ForceManager {
-    /// Adds a force (N) that acts until it is replaced by one of the same source and kind, or removed; zero, or a vector that is not finite,
-    /// removes it. Their order is that of sources and kinds, so that the sum does not depend on when they began. Returns whether anything changed.
+    /// Adds a force (N), or replaces that of the same source and kind; zero, or what is not finite, removes it. Returns whether anything changed.
     pub fn add(&mut self, source: Source, kind: ForceKind, vector: DVec2) -> bool {
         if vector == DVec2::ZERO || !vector.is_finite() {
             return self.remove(source, kind);
         }
-        // A list of `World::forces` has another order: no binary search.
+        // In the order of sources and kinds, so that the sum does not depend on when they began; a list of `World::forces` has another.
         let key = (source, kind);
         let same = |force: &Force| (force.source, force.kind) == key;
         if self.forces.iter().filter(|force| same(force)).map(|force| force.vector).eq([vector]) {
@@ -88,7 +86,7 @@ impl ForceManager {
         DVec2::select(sum.abs().cmple(size * self.rounding.max(DVec2::splat(4.0 * f64::EPSILON))), DVec2::ZERO, sum) + DVec2::ZERO
     }
 
-    /// The sum of the pushes, N; or of those alone that come from no zone.
+    /// The sum of the pushes, N.
     pub(crate) fn push(&self) -> DVec2 {
         self.forces.iter().fold(DVec2::ZERO, |sum, force| sum + force.vector)
     }
@@ -126,8 +124,7 @@ impl ForceManager {
         }
     }
 
-    /// Closes the list of a body with that acceleration, m/s²: where it is exactly 0, what contacts found balances to 1e-9, and links, whose lengths
-    /// are differences of places, to 1e-6.
+    /// Closes the list of a body with that acceleration, m/s²: where it is 0, contacts balance to 1e-9, and links, differences of places, to 1e-6.
     pub(crate) fn close(&mut self, acceleration: DVec2, linked: bool) {
         let rounding = if linked { 1e-6 } else { 1e-9 };
         self.rounding = DVec2::select(acceleration.cmpeq(DVec2::ZERO), DVec2::splat(rounding), DVec2::ZERO);

@@ -1,8 +1,7 @@
-//! The media of a world.
+//! The media of a world, and weight: m·g downwards. A weightless body has none.
 
 use crate::physics::data::{Aabb, Body, Cubic, FieldDef, FluidDef, Part, Pose, StreamDef, called};
-use crate::physics::forces::manager::ForceManager;
-use crate::physics::forces::zones::{FAR, Stream, ZoneList, border};
+use crate::physics::forces::{manager::ForceManager, zones::FAR, zones::Stream, zones::ZoneList, zones::border};
 use glam::DVec2;
 use std::cell::Cell;
 
@@ -24,6 +23,16 @@ impl Media {
     pub fn new(gravity: f64, air_density: f64, (streams, fields): (&[StreamDef], &[FieldDef]), fluids: Vec<FluidDef>) -> Self {
         let streams = (0..).zip(streams).map(Stream::wind).chain((0..).zip(fields).map(Stream::field)).collect();
         Self { gravity, air_density, airy: true, streams, fluids, ended_early: Cell::new(0) }
+    }
+
+    /// N/kg downwards.
+    pub fn gravity_on(&self, body: &Body) -> f64 {
+        if body.weightless { 0.0 } else { self.gravity }
+    }
+
+    /// N.
+    pub fn weight(&self, body: &Body) -> DVec2 {
+        DVec2::new(0.0, body.mass * self.gravity_on(body))
     }
 
     /// Counts a flow that did not get to its end by its own steps.
@@ -80,4 +89,10 @@ impl Media {
         let crosses = |stream: &Stream| border(&way, body.half, &stream.zone, stream.is_felt(body), dt).is_some();
         near.iter().any(|stream| crosses(&self.streams[stream as usize]))
     }
+}
+
+/// The acceleration along y by gravity and a force per mass, m/s²; 0 where they balance but for rounding.
+pub(crate) fn fall(gravity: f64, force: f64) -> f64 {
+    let sum = gravity + force;
+    if sum.abs() <= 4.0 * f64::EPSILON * gravity.abs() { 0.0 } else { sum }
 }

@@ -2,21 +2,18 @@
 //!
 //! | weight | drive and added pushes | wind | fields of gravity | drag of the air | buoyancy and drag of liquids | springs, ropes, magnets |
 //! |---|---|---|---|---|---|---|
-//! | `weight` | `manager` | `wind` | `field` | `air` | `liquid`, `displaced` | `link` |
+//! | `media` | `manager` | `zones` | `zones` | `air` | `liquid`, `displaced` | `link` |
 //!
-//! `law` sums them for a body that touches nothing; `media` and `zones` hold the zones.
+//! `law` sums them for a body that touches nothing.
 
 pub(crate) mod air;
 pub(crate) mod displaced;
-mod field;
 pub(crate) mod kind;
 pub(crate) mod law;
 pub(crate) mod link;
 pub(crate) mod liquid;
 pub(crate) mod manager;
 pub(crate) mod media;
-pub(crate) mod weight;
-mod wind;
 pub(crate) mod zones;
 
 pub(crate) use air::Drag;

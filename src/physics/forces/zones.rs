@@ -1,6 +1,6 @@
 //! Zones that push each body that touches them.
 
-use crate::physics::data::{Aabb, Body, Cubic, Pose, SLOP, earliest};
+use crate::physics::data::{Aabb, Body, Cubic, FieldDef, Pose, SLOP, StreamDef, earliest};
 use crate::physics::forces::kind::{ForceKind, Source};
 use glam::DVec2;
 
@@ -43,18 +43,31 @@ impl ZoneList {
 #[derive(Clone, Debug)]
 pub(crate) struct Stream {
     pub zone: Aabb,
-    /// From this its law makes the force (N) on a body: N of a stream, N/kg of a field.
+    /// N of a stream, N/kg of a field.
     pub strength: DVec2,
-    pub law: fn(DVec2, &Body) -> DVec2,
     pub blows: bool,
     pub kind: ForceKind,
     pub source: Source,
 }
 
 impl Stream {
+    /// An air stream pushes every body that touches it with the same force.
+    pub fn wind((index, def): (u32, &StreamDef)) -> Self {
+        Self { zone: def.zone, strength: def.force, blows: true, kind: ForceKind::Wind, source: Source::Stream(index) }
+    }
+
+    /// A field gives every body that touches it the same acceleration, besides that by the world's gravity.
+    pub fn field((index, def): (u32, &FieldDef)) -> Self {
+        Self { zone: def.zone, strength: def.strength, blows: true, kind: ForceKind::Weight, source: Source::Field(index) }
+    }
+
     /// The force on a body that touches it, N.
     pub fn on(&self, body: &Body) -> DVec2 {
-        if self.blows { (self.law)(self.strength, body) } else { DVec2::ZERO }
+        match self.kind {
+            ForceKind::Weight if self.blows && !body.weightless => self.strength * body.mass,
+            ForceKind::Wind if self.blows => self.strength,
+            _ => DVec2::ZERO,
+        }
     }
 
     pub fn is_felt(&self, body: &Body) -> bool {
@@ -71,14 +84,11 @@ pub(crate) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> boo
 
 /// Whether a body that sweeps this box surely stays on its side of a border: `inside`, or out of it.
 pub(crate) fn stays(swept: &Aabb, half: DVec2, zone: &Aabb, inside: bool) -> bool {
-    if inside {
-        let reaches = |axis: usize| {
-            swept.min[axis] + 2.0 * half[axis] > zone.min[axis] + FAR && swept.max[axis] - 2.0 * half[axis] < zone.max[axis] - FAR
-        };
-        reaches(0) && reaches(1)
-    } else {
-        !swept.touches(zone, FAR)
-    }
+    let reaches = || {
+        let (low, high) = (swept.min + 2.0 * half, swept.max - 2.0 * half);
+        low.cmpgt(zone.min + FAR).all() && high.cmplt(zone.max - FAR).all()
+    };
+    if inside { reaches() } else { !swept.touches(zone, FAR) }
 }
 
 /// When a body enters a zone or, from `inside`, leaves it. A body at the border has crossed it once it is clear of it.

@@ -2,7 +2,7 @@
 
 use crate::physics::data::{Aabb, Body, Part, Pose, Surface, called, parabola};
 use crate::physics::flight::air::fly_through;
-use crate::physics::forces::weight::fall;
+use crate::physics::forces::media::fall;
 use crate::physics::forces::{Drag, Media};
 use glam::DVec2;
 

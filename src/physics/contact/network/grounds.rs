@@ -38,8 +38,7 @@ impl Network {
     /// Sets the links aside (`cut`) that lead to other ground than `ground`. Returns whether there are any.
     pub(super) fn part_with_other_grounds(&mut self, block: Block, ground: f64) -> bool {
         let mut any = false;
-        for at in block.begin..block.end {
-            let i = self.order[at];
+        for &i in &self.order[block.begin..block.end] {
             for slot in self.links_of(i) {
                 let link = &mut self.links[self.incident.list[slot] as usize];
                 if !link.cut && link.other(i) == GROUND && link.ground != ground {
@@ -51,12 +50,10 @@ impl Network {
         any
     }
 
-    /// Adds to the excess of the nodes the action of the grounds set aside, at the acceleration `held`: ties drag with their limit, pushes are
-    /// larger than all else in the block together.
+    /// Adds the action of the grounds set aside at the acceleration `held`: ties drag with their limit, pushes are larger than all else together.
     pub(super) fn pull_by_other_grounds(&mut self, block: Block, held: f64) {
         let (mut all, mut mass) = (0.0, 0.0);
-        for at in block.begin..block.end {
-            let i = self.order[at];
+        for &i in &self.order[block.begin..block.end] {
             all += self.notes[i as usize].excess.abs();
             mass += self.nodes[i as usize].mass;
             for slot in self.links_of(i) {
@@ -67,7 +64,7 @@ impl Network {
         }
         for k in 0..self.aside.len() {
             let link = &mut self.links[self.aside[k] as usize];
-            let node = if link.lo == GROUND { link.hi } else { link.lo };
+            let node = link.other(GROUND);
             let ahead = (link.ground - held).signum();
             let side = if link.lo == GROUND { 1.0 } else { -1.0 };
             let drag = match link.carries {
@@ -92,14 +89,13 @@ impl Network {
         }
     }
 
-    /// Grounds set aside on whose side a node ended up may still hold it; the others drag or have let go. A node that stayed against such a push is
-    /// squeezed between two grounds: returns its side.
+    /// Grounds set aside on whose side a node ended up may hold it; the others drag or have let go. Returns the side of a node squeezed between two.
     pub(super) fn settle_other_grounds(&mut self, held: f64) -> Option<Side> {
         let mut squeezed = None;
         for k in 0..self.aside.len() {
             let index = self.aside[k] as usize;
             let link = self.links[index];
-            let node = if link.lo == GROUND { link.hi } else { link.lo };
+            let node = link.other(GROUND);
             let (mine, its) = (self.notes[node as usize].side, side_of(link.ground, held));
             if mine == its {
                 (self.links[index].cut, self.links[index].flow) = (false, 0.0);

@@ -1,14 +1,10 @@
-//! Contact forces along one axis, exactly: Gauss's principle of least constraint as isotonic regression with total variation, solved block by
-//! block (`docs/physics.md`, Contact networks; Fujishige 1980, Groenevelt 1991).
-//!
-//! A *normal* link passes any push from its lower to its upper body, a *tie* (static friction) up to its limit either way. Most blocks settle in
-//! one pass of loads (`passes`), the rest by maximum flow (`routing`), O(nodes · links) a block. The error does not depend on the mass ratio; a
-//! block with the ground has a = 0 bit for bit. Of grounds that move apart a block is held against one at a time; between two that close on it, it
-//! is `squeezed`.
+//! Contact forces along one axis, exactly: Gauss's principle of least constraint as isotonic regression with total variation, solved block by block
+//! (`docs/physics.md`, Contact networks; Fujishige 1980, Groenevelt 1991). A *normal* link passes any push from its lower to its upper body, a *tie*
+//! (static friction) up to its limit either way. Most blocks settle in one pass of loads, the rest by maximum flow, O(nodes · links) a block. The error
+//! does not depend on the mass ratio; a block with the ground has a = 0 bit for bit, and is `squeezed` between two grounds that close on it.
 
-pub(crate) mod grounds;
-pub(crate) mod passes;
-pub(crate) mod routing;
+mod grounds;
+mod routing;
 
 use crate::physics::data::{FORCE_TOLERANCE, Incidence, LIGHT, NONE, refill};
 use std::ops::Range;
@@ -45,7 +41,6 @@ impl NetworkEdge {
         }
     }
 
-    /// Whether it hands loads on from this end.
     fn hands_on(&self, end: u32, upwards: bool) -> bool {
         !self.cut && self.carries == Carries::Push && (if upwards { self.lo } else { self.hi }) == end
     }
@@ -78,8 +73,8 @@ pub(crate) struct Network {
     pub squeezed: Vec<u32>,
     /// The links of each node; the last node is the ground.
     incident: Incidence,
-    /// What its links join, whatever they carry; the ends of all links, by which it is known again.
-    joined: Components,
+    /// What its links join, whatever they carry: nodes, block by block, and where each begins and ends; the ends of all links, to know it again.
+    joined: (Vec<u32>, Vec<Range<u32>>),
     ends: Vec<[u32; 2]>,
     /// Its last question with these links, and the answer.
     asked: (Vec<NetworkNode>, Vec<NetworkEdge>),
@@ -95,13 +90,6 @@ pub(crate) struct Network {
     linked: Vec<bool>,
     /// Links of the present block to ground that moves otherwise than that it is held against.
     aside: Vec<u32>,
-}
-
-/// Nodes, block by block, and where each block begins and ends.
-#[derive(Clone, Debug, Default)]
-struct Components {
-    order: Vec<u32>,
-    blocks: Vec<Range<u32>>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -151,10 +139,7 @@ impl Network {
 
     pub fn solve(&mut self) {
         if self.links.is_empty() {
-            for node in &mut self.nodes {
-                node.acceleration = node.force / node.mass;
-            }
-            return;
+            return self.nodes.iter_mut().for_each(|node| node.acceleration = node.force / node.mass);
         }
         let frame = self.common_frame();
         self.enter_frame(frame);
@@ -183,8 +168,7 @@ impl Network {
         (0..self.blocks.len()).all(|index| {
             let Range { start, end } = self.blocks[index];
             let mut block = Block { begin: start as usize, end: end as usize, ground: Some(0.0), largest: 0.0 };
-            for at in block.begin..block.end {
-                let i = self.order[at];
+            for &i in &self.order[block.begin..block.end] {
                 let force = self.nodes[i as usize].force;
                 let given: f64 = self.links_of(i).map(|slot| self.links[self.incident.list[slot] as usize].gives(i)).sum();
                 block.largest = block.largest.max(force.abs());
@@ -207,7 +191,7 @@ impl Network {
         let n = self.nodes.len();
         refill(&mut self.notes, n + 1, Note { excess: 0.0, block: NONE, waits_for: 0, came_by: NONE, side: Side::Same });
         let ends = self.links.iter().map(|link| [link.lo, link.hi]);
-        if self.joined.order.len() != n || !self.ends.iter().copied().eq(ends.clone()) {
+        if self.joined.0.len() != n || !self.ends.iter().copied().eq(ends.clone()) {
             self.ends.clear();
             self.ends.extend(ends);
             self.answer.0.clear();
@@ -215,8 +199,8 @@ impl Network {
             self.incident.index(n + 1, self.ends.iter().map(|ends| ends.map(|end| end.min(n as u32))));
             self.find_components();
         }
-        self.order.clone_from(&self.joined.order);
-        self.blocks.clone_from(&self.joined.blocks);
+        self.order.clone_from(&self.joined.0);
+        self.blocks.clone_from(&self.joined.1);
         for (number, block) in (0..).zip(&self.blocks) {
             self.order[block.start as usize..block.end as usize].iter().for_each(|i| self.notes[*i as usize].block = number);
         }
@@ -248,7 +232,7 @@ impl Network {
     }
 
     fn find_components(&mut self) {
-        let Components { order, blocks } = &mut self.joined;
+        let (order, blocks) = &mut self.joined;
         order.clear();
         blocks.clear();
         for root in 0..self.nodes.len() as u32 {
@@ -263,9 +247,7 @@ impl Network {
             while at < order.len() {
                 let node = order[at];
                 at += 1;
-                for index in self.incident.of(node as usize) {
-                    join(self.links[*index as usize].other(node), order);
-                }
+                self.incident.of(node as usize).iter().for_each(|index| join(self.links[*index as usize].other(node), order));
             }
             if begin < order.len() {
                 blocks.push(begin as u32..order.len() as u32);
@@ -288,9 +270,7 @@ impl Network {
             block.ground = block.ground.or_else(|| held.next());
         }
         let acceleration = block.ground.unwrap_or(force / mass);
-        for &i in &self.order[block.begin..block.end] {
-            self.nodes[i as usize].acceleration = acceleration;
-        }
+        self.order[block.begin..block.end].iter().for_each(|i| self.nodes[*i as usize].acceleration = acceleration);
         if block.end - block.begin == 1 && block.ground.is_none() {
             return;
         }
@@ -313,8 +293,8 @@ impl Network {
         }
     }
 
-    /// A force that is none beside the rest of its block may be all that acts on a light body. The lightest first, it is handed on to a body that
-    /// is not light, or heavier, or numbered later; a body that is pulled away from all that pushes it goes on by itself.
+    /// What is no force beside the rest of its block may be all that acts on a light body. The lightest first, it is handed on to a body that is
+    /// heavy, heavier, or numbered later; a body that is pulled away from all that pushes it goes on by itself.
     fn settle_light(&mut self, block: Block) {
         let own = |node: &NetworkNode| node.force.abs().max(node.mass * node.acceleration.abs());
         let is_light = |node: &NetworkNode| own(node) < LIGHT * block.largest;
@@ -357,8 +337,7 @@ impl Network {
     }
 
     fn reset_flows(&mut self, block: Block) {
-        for at in block.begin..block.end {
-            let i = self.order[at];
+        for &i in &self.order[block.begin..block.end] {
             let node = self.nodes[i as usize];
             self.notes[i as usize].excess = node.force - node.mass * node.acceleration;
             for slot in self.links_of(i) {
