@@ -2,6 +2,7 @@
 //! with damaged charts.
 
 mod charts;
+mod legible;
 mod side_by_side;
 mod stress;
 
