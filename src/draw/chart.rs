@@ -166,11 +166,11 @@ pub enum CurveOrigin {
 pub const TEXT: u32 = 0xE6EBF2;
 /// The shipped engine: the game's accent.
 pub const SHIPPED: u32 = 0xFF9F1C;
-/// All common kinds of colour vision tell these apart (M. Okabe, K. Ito, "Color Universal Design", 2008); lightened for a dark
-/// ground.
-const COLOURS: [u32; 8] = [0x56B4E9, 0xB79CED, 0xF0E442, 0xD55E00, 0x1FB88F, 0xCC79A7, 0xDCE6F5, 0xA3A847];
+/// After M. Okabe, K. Ito, "Color Universal Design", 2008, lightened for a dark ground; neighbours stay apart in all common kinds of
+/// colour vision, on a light ground, too.
+const COLOURS: [u32; 8] = [0x56B4E9, 0x8870E8, 0xF0E442, 0xD55E00, 0x1FB88F, 0xCC79A7, 0xB8E8B8, 0xA3A847];
 /// Pixels drawn and left out.
-const DASHES: [Option<(u32, u32)>; 4] = [None, Some((8, 4)), Some((3, 3)), Some((14, 5))];
+pub const DASHES: [Option<(u32, u32)>; 4] = [None, Some((8, 4)), Some((3, 3)), Some((14, 5))];
 /// Pixels drawn and left out of the line of the tolerance.
 pub const TOLERANCE_DASH: (u32, u32) = (2, 4);
 /// Pixels. Radius of the ring around the shipped point.

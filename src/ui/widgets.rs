@@ -4,7 +4,7 @@ use super::Ui;
 use super::input::Input;
 use super::memory::WidgetKind;
 use super::text_field::TextField;
-use crate::draw::layout::{Area, BUTTON_TEXT, GRID, HEADING, MARGIN, PADDING, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GAP, GRID, HEADING, MARGIN, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Align, Canvas, Colour, Style};
 use crate::settings::{Key, Keys};
 use crate::view::{theme, widgets as paint};
@@ -127,7 +127,18 @@ impl Ui<'_> {
     /// Buttons at the foot of a scene whose arrow keys have other work: each shows its own key, which presses it unless the screen has
     /// claimed it.
     pub fn tools<'l>(&mut self, tools: &[(&'l str, Key, &str)]) -> Option<&'l str> {
-        let areas = self.frame().row(tools.len(), self.frame().size.y - ROW_BUTTON.y - MARGIN);
+        let mut areas = self.frame().row(tools.len(), self.frame().size.y - ROW_BUTTON.y - MARGIN);
+        let width = |label: &str| self.canvas().width(tr(label), Style::new(DETAILS, theme::text())) + 2.0 * GRID + 1.0;
+        let words: Vec<f32> = tools.iter().map(|(label, _, _)| width(label)).collect();
+        let rest: f32 = areas.iter().zip(&words).map(|(area, words)| area.size.x - words).sum();
+        // Where one has no room for its word, others give it of theirs.
+        if rest > 0.0 && areas.iter().zip(&words).any(|(area, words)| area.size.x < *words) {
+            let mut left = areas[0].min.x;
+            for (area, words) in areas.iter_mut().zip(&words) {
+                (area.min.x, area.size.x) = (left, words + rest / tools.len() as f32);
+                left = area.max().x + GAP;
+            }
+        }
         let mut pressed = None;
         for ((label, key, named), area) in tools.iter().zip(areas) {
             let touch = self.touch(label, area, WidgetKind::Tool);

@@ -99,6 +99,9 @@ pub fn cut(canvas: &Canvas, text: &str, widest: f32, style: Style) -> String {
     }
 }
 
+/// Signs before which a language leaves a gap.
+const SIGNS: [&str; 5] = [":", ";", "?", "!", "»"];
+
 /// Words in lines that are at most `widest` wide.
 pub fn lines(canvas: &Canvas, words: &str, widest: f32, style: Style) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
@@ -107,6 +110,11 @@ pub fn lines(canvas: &Canvas, words: &str, widest: f32, style: Style) -> Vec<Str
             Some(line) if canvas.width(&format!("{line} {word}"), style) <= widest => {
                 line.push(' ');
                 line.push_str(word);
+            }
+            // No line begins with a sign: the word before it comes along.
+            Some(line) if SIGNS.contains(&word) && line.contains(' ') => {
+                let before = line.split_off(line.rfind(' ').unwrap_or(line.len()));
+                lines.push(format!("{} {word}", before.trim_start()));
             }
             _ => lines.push(word.to_owned()),
         }

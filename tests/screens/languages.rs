@@ -12,14 +12,14 @@ use std::path::Path;
 
 /// A line of text with its box; lines of one layer are compared.
 #[derive(Clone, Debug)]
-struct Line {
-    text: String,
+pub struct Line {
+    pub text: String,
     style: Style,
-    area: Area,
+    pub area: Area,
     layer: usize,
 }
 
-fn lines(sitting: &Sitting) -> Vec<Line> {
+pub fn lines(sitting: &Sitting) -> Vec<Line> {
     let canvas = sitting.app.canvas();
     let mut layer = 0;
     let mut found = Vec::new();
@@ -199,7 +199,7 @@ fn editor(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
 
 /// Words that no catalogue holds: units, names, files and columns, licences.
 const DATA: &str = "ann Guest Resultant broken copy csv CSV SVG zip kg km mm cm px ms ns kN mN kJ mJ Mt kt mg rad fps tick Hz Box Rapier \
-    with sleep substeps iterations MIT Apache Unlicense ISC Ubuntu Font Licence Bitstream Vera vx vy LEFT RIGHT JUMP WAIT \
+    with MIT Apache Unlicense ISC Ubuntu Font Licence Bitstream Vera vx vy LEFT RIGHT JUMP WAIT \
     sin kin pot mech English Deutsch linux debug release dev worker Xeon GHz Num zzz or";
 
 fn plain_words(text: &str) -> Vec<&str> {

@@ -1,7 +1,8 @@
 //! The picture of a method's failure: small, beside its line of a table, or large, with its axes.
 //! The Lab's charts on sheets of SVG.
 
-use super::diagram::{self, DiagramPlaces};
+use super::diagram;
+use super::places::DiagramPlaces;
 use super::plane::{self, Plane};
 use super::timeline;
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
@@ -16,7 +17,7 @@ use crate::{draw::chart::Decades, physics::SOURCES, view::lanes::sheet, words::t
 
 /// Above and below a large picture's plot: the names of its axes and their ends.
 const TOP: f32 = 44.0;
-const BOTTOM: f32 = 40.0;
+const BOTTOM: f32 = 32.0;
 
 /// Without words.
 pub fn small(canvas: &Canvas, area: Area, picture: &FailurePicture, colour: Colour) {
@@ -87,7 +88,8 @@ pub fn over_time(measured: &Measured) -> Option<String> {
     let over_time = measured.over_time.as_ref()?;
     let title = tr!("{title}: over time, step {step}", title = tr(&measured.title), step = step(over_time.step));
     Some(sheet(&title, 0.0, |canvas, panel| {
-        timeline::draw(canvas, &DiagramPlaces::of(panel, measured, canvas.frame()), (measured, over_time), None);
+        let followed = timeline::followed(measured, over_time);
+        timeline::draw(canvas, &DiagramPlaces::of(panel, &followed, canvas.frame()), (&followed, over_time), None);
     }))
 }
 

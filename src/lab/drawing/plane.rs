@@ -1,23 +1,25 @@
 //! The complex plane of z = h·λ on the canvas with its legend, and the stability regions of methods in it.
 
-use super::{diagram::shade, look_of};
+use super::looks::{look_of, shade};
 use crate::draw::chart::{CurveLook, CurveOrigin, WORDS as WORDS_AT, marker, sample, stroke};
-use crate::draw::layout::{Area, DETAILS, Frame, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, Frame, TEXT, Vec2, words_width};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::stability::{CELLS, Complex, IMAGINARY, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
+use crate::lab::methods::METHODS;
+use crate::lab::stability::{CELLS, Complex, FAR, IMAGINARY, PART, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
+use crate::number::fixed;
 use crate::view::{theme, widgets};
-use crate::{lab::methods::METHODS, number::fixed, words::tr};
+use crate::words::tr;
 
 /// Margins of the plane in its panel, for values and names of the axes.
 const LEFT: f32 = 64.0;
 const TOP: f32 = 48.0;
-const BOTTOM: f32 = 60.0;
-/// Its widest part of an area where it has no legend.
-const MOST: f32 = 0.6;
+const BOTTOM: f32 = 62.0;
+/// Width of the legend.
 const LEGEND: f32 = 400.0;
-/// The same in heights of small text where that is large, and the most of the panel's width.
-const WIDE: f32 = 21.0;
-const LARGEST: f32 = 0.42;
+/// The most of the panel's width that it takes.
+const LARGEST: f32 = 0.46;
+/// Above and below the legend.
+const MARGIN: f32 = 16.0;
 /// Between the plane and the legend.
 const BETWEEN: f32 = 32.0;
 /// Line height of the legend, where there is room, and of the words below it.
@@ -38,34 +40,44 @@ pub struct Plane {
     pub area: Area,
     /// Canvas units a unit of z.
     scale: f32,
-    /// Line height of the legend, and its width.
+    /// Above and below the legend, its line height and its width.
+    margin: f32,
     pitch: f32,
     legend: f32,
+    /// Width of a column of limits.
+    column: f32,
 }
 
 impl Plane {
     /// As large as the panel allows without stretching.
     pub fn of(panel: Area, frame: &Frame) -> Self {
         let text = frame.text_height(DETAILS);
-        let legend = LEGEND.max((WIDE * text).min(LARGEST * panel.size.x));
+        let (letters, names) = (frame.text_height(TEXT), METHODS.iter().map(|(name, _)| *name).chain([PART, SHIPPED]));
+        let widest = names.map(|name| words_width(tr(name), letters)).fold(0.0, f32::max) + words_width(" *", letters);
+        let limits = [0.0, FAR, 2.0].map(|value| words_width(&limit(value), letters) + 1.5 * BESIDE);
+        let column = limits.into_iter().fold(LIMITS, f32::max);
+        let legend = LEGEND.max((WORDS_AT + widest + 2.0 * column + 2.0 * BESIDE + MARGIN).min(LARGEST * panel.size.x));
         let room = Vec2::new(panel.size.x - LEFT - BETWEEN - legend, panel.size.y - TOP - BOTTOM);
         let spans = Vec2::new((REAL.1 - REAL.0) as f32, (IMAGINARY.1 - IMAGINARY.0) as f32);
         let scale = (room.x / spans.x).min(room.y / spans.y);
         let size = spans * scale;
         let area = Area::new(panel.min.x + LEFT + (room.x - size.x) / 2.0, panel.min.y + TOP, size.x, size.y);
         // Its head, the methods, the engine, and the words.
-        let room = panel.size.y - 32.0 - MARKS.len() as f32 * SMALL_LINE;
+        let margin = if frame.text > 1.0 { MARGIN / 3.0 } else { MARGIN };
+        let inside = panel.size.y - 2.0 * margin;
+        let room = inside - MARKS.len() as f32 * SMALL_LINE;
         // Where words are large, the notes give way to the methods.
         let lines = (METHODS.len() + 2) as f32;
-        let least = (1.08 * text).min((panel.size.y - 32.0) / lines);
-        Self { panel, area, scale, pitch: LINE.min(room / lines).max(least), legend }
+        let least = (1.08 * text).min(inside / lines);
+        Self { panel, area, scale, margin, pitch: LINE.min(room / lines).max(least), legend, column }
     }
 
     /// As large as an area allows, at its left, without a legend.
     pub fn within(panel: Area) -> Self {
         let spans = Vec2::new((REAL.1 - REAL.0) as f32, (IMAGINARY.1 - IMAGINARY.0) as f32);
-        let scale = (panel.size.x * MOST / spans.x).min(panel.size.y / spans.y);
-        Self { panel, area: Area { min: panel.min, size: spans * scale }, scale, pitch: LINE, legend: LEGEND }
+        let scale = (panel.size.x / spans.x).min(panel.size.y / spans.y);
+        let area = Area { min: panel.min, size: spans * scale };
+        Self { panel, area, scale, margin: MARGIN, pitch: LINE, legend: LEGEND, column: LIMITS }
     }
 
     /// A number on the canvas.
@@ -75,7 +87,7 @@ impl Plane {
 
     /// A line of the legend: its head, then the methods, then the shipped engine and the notes.
     pub fn legend(&self, line: usize) -> Area {
-        let top = self.panel.min.y + 16.0 + line as f32 * self.pitch;
+        let top = self.panel.min.y + self.margin + line as f32 * self.pitch;
         Area::new(self.panel.max().x - self.legend, top, self.legend - 16.0, self.pitch)
     }
 }
@@ -83,13 +95,14 @@ impl Plane {
 /// The words below the plane.
 pub const WORDS: [&str; 2] = [
     "A point is a motion taken with a step h: how far it swings in a step stands upwards, how much it fades to the left. Both together are one complex number, z.",
-    "Inside its edge a method's errors fade, outside they grow. The truth fades in all of the left half, and so does the shipped engine on both rays.",
+    "Inside its edge a method's errors fade (implicit Euler's: outside). The truth fades in all of the left half, and so does the shipped engine on both rays.",
 ];
 
-/// From a legend line's right end to the two limits.
-const LIMITS: [f32; 2] = [84.0, 8.0];
-/// From an example's point to its words.
+/// The least width of a column of limits.
+const LIMITS: f32 = 72.0;
+/// From an example's point to its words, and the most lines of these.
 const BESIDE: f32 = 8.0;
+const LINES: usize = 2;
 
 /// The plane, the edges of all regions, and all of the picked one.
 pub fn draw(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
@@ -118,7 +131,10 @@ pub fn draw(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<u
         // Decay stands to the left of its point, oscillation to the right.
         let left = z.0 < 0.0;
         let room = if left { at.x - plane.area.min.x } else { plane.area.max().x - at.x } - 2.0 * BESIDE;
-        let lines = widgets::lines(canvas, tr(name), room, style);
+        let whole = widgets::lines(canvas, tr(name), room, style);
+        // Large words leave the curves their room: what stands behind the comma is the step of both.
+        let brief = || widgets::lines(canvas, tr(name).split(", ").next().unwrap_or_default(), room, style);
+        let lines = if whole.len() > LINES { brief() } else { whole };
         let size = Vec2::new(
             lines.iter().map(|words| canvas.width(words, style)).fold(0.0, f32::max),
             lines.len() as f32 * canvas.line_height(DETAILS),
@@ -165,7 +181,7 @@ fn axes(canvas: &Canvas, plane: &Plane) {
     canvas.rounded_edge(area, 0.0, 1.0, theme::solid());
     let words = Style::new(TEXT, theme::text()).middle();
     canvas.text(tr("imaginary part of z: ω·h, what swings"), Vec2::new(area.min.x, area.min.y - 22.0), words);
-    canvas.text(tr("real part of z: −h/τ, what fades"), Vec2::new(area.centre().x, end.y + 26.0 + down), words.centred());
+    canvas.text(tr("real part of z: −h/τ, what fades"), Vec2::new(area.centre().x, end.y + 24.0 + down), words.centred());
 }
 
 /// The methods by name, with their limits on the two rays.
@@ -173,9 +189,10 @@ fn legend(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usi
     let engine = look_of(SHIPPED, CurveOrigin::Shipped, 0);
     let words = Style::new(TEXT, theme::text()).middle();
     let quiet = Style::new(TEXT, theme::quiet()).middle();
+    let column = plane.column;
     let limits = |area: Area, texts: [&str; 2], style: Style| {
-        for (text, from_right) in texts.into_iter().zip(LIMITS) {
-            canvas.text(text, Vec2::new(area.max().x - from_right, area.centre().y), style.right());
+        for (text, columns) in texts.into_iter().zip([1.0, 0.0]) {
+            canvas.text(text, Vec2::new(area.max().x - BESIDE - columns * column, area.centre().y), style.right());
         }
     };
     let head = plane.legend(0);
@@ -186,24 +203,25 @@ fn legend(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usi
         let (y, colour) = (area.centre().y, shade(Colour::hex(look.colour), whole));
         sample(canvas, area, look, colour);
         let style = if whole { words } else { quiet };
-        let room = area.size.x - WORDS_AT - LIMITS[0] - canvas.width(&limit(drag), style) - BESIDE;
+        let room = area.size.x - WORDS_AT - 2.0 * column - BESIDE;
         canvas.text(&widgets::cut(canvas, &name, room, style), Vec2::new(area.min.x + WORDS_AT, y), style);
         limits(area, [&limit(drag), &limit(swing)], style);
     };
+    let first = plane.legend(regions.len() + 2).min + Vec2::new(WORDS_AT, SMALL_LINE / 2.0);
+    let note_at = |line: usize| first + Vec2::new(0.0, line as f32 * SMALL_LINE.max(1.05 * canvas.frame().text_height(DETAILS)));
+    let has_note = |line: usize| note_at(line).y + 0.5 * canvas.line_height(DETAILS) <= plane.panel.max().y;
+    // A sign without its note would be a riddle.
+    let star = if has_note(MARKS.len() - 1) { " *" } else { "" };
     for (index, region) in regions.iter().enumerate() {
         if picked == Some(index) {
             canvas.rounded(plane.legend(index + 1), 6.0, theme::panel_hover());
         }
         let whole = picked.is_none_or(|picked| picked == index);
-        let name = format!("{}{}", tr(region.name), if region.single { "" } else { " *" });
+        let name = format!("{}{}", tr(region.name), if region.single { "" } else { star });
         line(index + 1, &look_of(region.name, CurveOrigin::Lab, index), (name, [region.drag, region.swing]), whole);
     }
     line(regions.len() + 1, &engine, (tr(SHIPPED).to_owned(), SHIPPED_LIMITS), true);
-    let first = plane.legend(regions.len() + 2).min + Vec2::new(WORDS_AT, SMALL_LINE / 2.0);
-    for (line, words) in MARKS.into_iter().enumerate() {
-        let at = first + Vec2::new(0.0, line as f32 * SMALL_LINE.max(1.05 * canvas.frame().text_height(DETAILS)));
-        if at.y + 0.5 * canvas.line_height(DETAILS) <= plane.panel.max().y {
-            canvas.text(tr(words), at, Style::new(DETAILS, theme::quiet()).middle());
-        }
+    for (line, words) in MARKS.into_iter().enumerate().filter(|(line, _)| has_note(*line)) {
+        canvas.text(tr(words), note_at(line), Style::new(DETAILS, theme::quiet()).middle());
     }
 }

@@ -1,17 +1,21 @@
-//! A scene over time: the error of every method above, the kept energy below. The picture of `resultant chart`, with one method picked out.
+//! A scene over time: the error of every method above, the kept energy below. The picture of `resultant chart`, with one method
+//! picked out.
 //!
 //! The axes of a scene over time: error upwards in decades, energy in parts of what it should be, both above the same time. A
 //! moment lies at parts of the axes, 0 … 1, so that paper and screen draw the same.
 
-use super::diagram::{DiagramPlaces, legend_of_curves, shade};
-use super::look_of;
-use crate::draw::chart::{CurveLook, Decades, LEAST_ERROR, TOLERANCE_DASH, dashed, round_numbers, stroke};
-use crate::draw::layout::{Area, TEXT, Vec2};
+use super::legend::{legend_of_curves, legend_of_tolerance};
+use super::looks::{look_of, shade};
+use super::places::DiagramPlaces;
+use crate::draw::chart::{CurveLook, Decades, LEAST_ERROR, TOLERANCE_DASH, dashed, marker, round_numbers, stroke};
+use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::curve::{CoursePoint, Measured, OverTime};
+use crate::lab::TOLERANCE;
+use crate::lab::curve::{CoursePoint, Measured, MethodCurve, OverTime};
 use crate::number::{power, short, step};
+use crate::view::lanes::LaneAxes;
 use crate::view::{theme, widgets};
-use crate::{lab::TOLERANCE, view::lanes::LaneAxes, words::tr};
+use crate::words::tr;
 
 /// The error's share of the height, where there is an energy, too.
 const UPPER: f32 = 0.55;
@@ -20,10 +24,24 @@ const BETWEEN: f32 = 68.0;
 /// About how many values of an axis have numbers.
 const NAMED: usize = 7;
 
-/// In the places of the scene's other diagram; `picked` is one of its curves.
+/// Markers of each curve, about; those of neighbours in the legend lie apart.
+const MARKERS: usize = 4;
+
+/// The part of a scene's curves that were followed over time.
+pub fn followed(measured: &Measured, over_time: &OverTime) -> Measured {
+    let is_followed = |curve: &&MethodCurve| course_of(over_time, curve).is_some();
+    Measured { curves: measured.curves.iter().filter(is_followed).cloned().collect(), over_time: None, ..measured.clone() }
+}
+
+fn course_of<'o>(over_time: &'o OverTime, curve: &MethodCurve) -> Option<&'o MethodCurve<CoursePoint>> {
+    over_time.courses.iter().find(|course| course.name == curve.name && course.origin == curve.origin)
+}
+
+/// In the places of the scene's other diagram; `measured` has the curves that were [`followed`], `picked` is one of them.
 pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Measured, &OverTime), picked: Option<usize>) {
     widgets::panel(canvas, plot.panel);
     legend_of_curves(canvas, plot, measured, picked);
+    legend_of_tolerance(canvas, plot, measured, tr("a tenth of a pixel, 1/300 m"));
     let axes = Timeline::of(over_time);
     let whole = plot.area;
     let height = if axes.energy.is_some() { (whole.size.y - BETWEEN + 8.0) * UPPER } else { whole.size.y };
@@ -38,9 +56,7 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Meas
     dashed(canvas, &[from, to], TOLERANCE_DASH, 2.0, theme::good());
     let (least, most) = axes.energy.unwrap_or_default();
     let energies = round_numbers(least, most, NAMED - 2).into_iter();
-    // The largest stands for all beyond it.
-    let name = |energy| if energy >= ENERGIES.1 { format!("≥ {}", short(ENERGIES.1)) } else { short(energy) };
-    let energies: Vec<_> = energies.map(|energy| ((energy - least) / (most - least), name(energy))).collect();
+    let energies: Vec<_> = energies.map(|energy| ((energy - least) / (most - least), energy_name(energy))).collect();
     let lower = axes.energy.map(|_| {
         let top = upper.area.max().y + BETWEEN;
         let area = Area::new(whole.min.x, top, whole.size.x, whole.max().y + 8.0 - top);
@@ -49,22 +65,28 @@ pub fn draw(canvas: &Canvas, plot: &DiagramPlaces, (measured, over_time): (&Meas
         lower
     });
     for (index, curve) in measured.curves.iter().enumerate() {
-        let Some(course) = over_time.courses.iter().find(|course| course.name == curve.name && course.origin == curve.origin)
-        else {
-            continue;
-        };
+        let Some(course) = course_of(over_time, curve) else { continue };
         let look = CurveLook { width: 2, ..look_of(&curve.name, curve.origin, index) };
         let colour = shade(Colour::hex(look.colour), picked.is_none_or(|picked| picked == index));
-        let line: Vec<Vec2> = course.points.iter().map(|moment| upper.area.part(axes.error_at(moment))).collect();
-        stroke(canvas, &line, &look, colour);
+        let apart = course.points.len().div_ceil(MARKERS).max(1);
+        let first = (index * apart / measured.curves.len().max(1)).max(1);
+        let curve = |line: Vec<Vec2>| {
+            stroke(canvas, &line, &look, colour);
+            line.iter().skip(first).step_by(apart).for_each(|at| marker(canvas, *at, look.marker, colour));
+        };
+        curve(course.points.iter().map(|moment| upper.area.part(axes.error_at(moment))).collect());
         if let Some(lower) = &lower {
             let place = |moment: &CoursePoint| axes.energy_at(moment).map(|at| lower.area.part(at));
-            stroke(canvas, &course.points.iter().filter_map(place).collect::<Vec<_>>(), &look, colour);
+            curve(course.points.iter().filter_map(place).collect());
         }
     }
     let foot = lower.map_or(upper.area, |lower| lower.area);
     let words = tr!("time, s (step {step})", step = step(over_time.step));
-    canvas.text(&words, Vec2::new(foot.centre().x, foot.max().y + 34.0), Style::new(TEXT, theme::text()).middle().centred());
+    canvas.text(
+        &words,
+        Vec2::new(foot.centre().x, foot.max().y + 14.0 + canvas.frame().text_height(DETAILS).max(20.0)),
+        Style::new(TEXT, theme::text()).middle().centred(),
+    );
 }
 
 /// The range of energies on the axis, in parts of the exact one. A method beyond it has gained or lost all there is.
@@ -110,6 +132,11 @@ impl Timeline {
     }
 }
 
+/// An energy as a label: the largest stands for all beyond it.
+pub fn energy_name(energy: f64) -> String {
+    if energy >= ENERGIES.1 { format!("≥ {}", short(ENERGIES.1)) } else { short(energy) }
+}
+
 /// An error clamped to the axis: rounding at the lower edge, blown-up runs at the upper one.
 fn shown(error: f64) -> f64 {
     error.clamp(LEAST_ERROR, 1e4)
@@ -119,7 +146,6 @@ fn shown(error: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::draw::chart::CurveOrigin;
-    use crate::lab::curve::MethodCurve;
 
     #[test]
     fn moments_lie_between_the_axes_whatever_they_are() {

@@ -6,7 +6,9 @@ use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::curve::{ANOTHER_BUILD, Measured, OverTime};
-use crate::lab::drawing::diagram::{self, DiagramPlaces, Picked, with_unit};
+use crate::lab::drawing::diagram::{self, Picked, with_unit};
+use crate::lab::drawing::looks::name_of;
+use crate::lab::drawing::places::DiagramPlaces;
 use crate::lab::drawing::timeline;
 use crate::lab::methods::rules;
 use crate::number::short;
@@ -16,6 +18,7 @@ use crate::settings::Key;
 use crate::ui::{Ui, WidgetKind};
 use crate::view::{theme, widgets};
 use crate::words::tr;
+use std::borrow::Cow;
 
 #[derive(Debug)]
 pub struct ChartsPage {
@@ -34,21 +37,20 @@ impl ChartsPage {
     pub(super) fn show(&mut self, ui: &mut Ui<'_>, body: Area) -> Option<Request> {
         let request = self.show_tools(ui);
         let panel = panel(body, &ui.frame());
-        let Some(measured) = self.shown.charts.diagrams.get(self.scene) else {
-            self.draw_words(ui, panel, None);
+        let Some(measured) = self.measured().map(Cow::into_owned) else {
             ui.panel(panel);
             ui.text(tr("There are no charts to show."), panel.centre(), Style::new(TEXT, theme::quiet()).centred().middle());
             return request;
         };
-        let plot = DiagramPlaces::of(panel, measured, &ui.frame());
+        let plot = DiagramPlaces::of(panel, &measured, &ui.frame());
         let lines = measured.curves.iter().enumerate().map(|(line, curve)| (curve.name.as_str(), plot.legend(line)));
         let curve = self.legend.show(ui, lines);
-        self.draw_words(ui, panel, curve);
-        match measured.over_time.as_ref().filter(|_| self.over_time) {
-            Some(over_time) => timeline::draw(ui.canvas(), &plot, (measured, over_time), curve),
+        self.draw_words(ui, panel, &measured, curve);
+        match self.over_time() {
+            Some(over_time) => timeline::draw(ui.canvas(), &plot, (&measured, over_time), curve),
             None => {
-                let point = plot.point_near(measured, ui.input().pointer);
-                diagram::draw(ui.canvas(), &plot, measured, Picked { curve, point });
+                let point = plot.point_near(&measured, ui.input().pointer);
+                diagram::draw(ui.canvas(), &plot, &measured, Picked { curve, point });
             }
         }
         request
@@ -56,9 +58,8 @@ impl ChartsPage {
 
     fn show_tools(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         let scenes = self.shown.charts.diagrams.len();
-        let measured = self.measured();
-        let curves = measured.map_or(0, |measured| measured.curves.len());
-        let followed = measured.is_some_and(|measured| measured.over_time.is_some());
+        let curves = self.measured().map_or(0, |measured| measured.curves.len());
+        let followed = self.scene().is_some_and(|measured| measured.over_time.is_some());
         let other = if self.over_time().is_some() { "At the end" } else { "Over time" };
         let tools = [BACK, ("Previous", Key::Left, "←"), ("Next", Key::Right, "→"), METHOD, (other, Key::Space, "Space")];
         match ui.tools(&tools[..if followed { 5 } else { 4 }]) {
@@ -66,7 +67,10 @@ impl ChartsPage {
             Some("Previous") => self.turn_to(self.scene + scenes.saturating_sub(1)),
             Some("Next") => self.turn_to(self.scene + 1),
             Some("Method") => self.legend.go(1, curves),
-            Some(_) => self.over_time = !self.over_time,
+            Some(_) => {
+                self.over_time = !self.over_time;
+                self.legend.clear();
+            }
             None => {}
         }
         if ui.key(Key::Up) {
@@ -91,18 +95,23 @@ impl ChartsPage {
         self.legend.clear();
     }
 
-    fn measured(&self) -> Option<&Measured> {
+    fn scene(&self) -> Option<&Measured> {
         self.shown.charts.diagrams.get(self.scene)
     }
 
+    /// With the curves that are shown.
+    fn measured(&self) -> Option<Cow<'_, Measured>> {
+        let scene = self.scene()?;
+        Some(self.over_time().map_or(Cow::Borrowed(scene), |over_time| Cow::Owned(timeline::followed(scene, over_time))))
+    }
+
     fn over_time(&self) -> Option<&OverTime> {
-        self.measured()?.over_time.as_ref().filter(|_| self.over_time)
+        self.scene()?.over_time.as_ref().filter(|_| self.over_time)
     }
 
     /// The title above the chart; below it the verdict and the source, or the rule of the picked method and what it uses.
-    fn draw_words(&self, ui: &Ui<'_>, panel: Area, curve: Option<usize>) {
+    fn draw_words(&self, ui: &Ui<'_>, panel: Area, measured: &Measured, curve: Option<usize>) {
         let (canvas, widest) = (ui.canvas(), panel.size.x);
-        let Some(measured) = self.measured() else { return };
         let title = Vec2::new(panel.centre().x, panel.min.y - 20.0);
         widgets::fitted(canvas, tr(&measured.title), title, widest - 240.0, &[BUTTON_TEXT, TEXT], theme::text());
         let count = tr!("{number} of {count}", number = self.scene + 1, count = self.shown.charts.diagrams.len());
@@ -120,7 +129,7 @@ impl ChartsPage {
     }
 
     fn verdict(&self) -> Option<String> {
-        let measured = self.measured()?;
+        let measured = self.scene()?;
         if self.over_time().is_some() {
             return Some(
                 tr("Each point is the worst since the one before. A method that ends near the truth may have been far from it.")
@@ -137,7 +146,7 @@ impl ChartsPage {
             let costs = shipped.work / point.work;
             let cheapest = tr!(
                 "{method} at {step}, {time} ns",
-                method = tr(&curve.name),
+                method = name_of(&curve.name, curve.origin),
                 step = curve.setting(point),
                 time = short(point.work)
             );
@@ -152,7 +161,7 @@ impl ChartsPage {
 
     fn source(&self) -> String {
         let setting = &self.shown.charts.setting;
-        let stale = self.measured().is_some_and(Measured::is_stale);
+        let stale = self.scene().is_some_and(Measured::is_stale);
         let build = if stale { format!("; {}", tr(ANOTHER_BUILD)) } else { String::new() };
         let runs = if setting.quick { tr("few runs a point") } else { tr("medians") };
         let whose = if self.shown.kept {
@@ -221,27 +230,48 @@ impl LegendPick {
     }
 }
 
-/// The room of a page's chart: the words below it have two lines, or four where they are large.
+/// The room of a page's chart.
 pub(super) fn panel(body: Area, frame: &Frame) -> Area {
-    let words = WORDS.max(LARGE_WORDS * frame.text_height(DETAILS));
-    Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - words)
+    Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - words_room(frame))
 }
 
-/// Two texts below a chart, each of a size: a line each, or, where they are too wide for that, as many as there is room for.
+/// Two texts below a chart, each of a size: a line each, or, where they are too wide for that, as many small ones as there is room
+/// for. Where all of them are too many, a source in brackets at their end is left out.
 pub(super) fn words_below(canvas: &Canvas, panel: Area, texts: [(&str, f32, Colour); 2]) {
     let (widest, from) = (panel.size.x, Vec2::new(panel.centre().x, panel.max().y));
-    let small = |colour| Style::new(DETAILS, colour).centred().middle();
-    if canvas.frame().text <= 1.0 {
+    let style = |size, colour| Style::new(size, colour).centred().middle();
+    let fit = |size: f32| texts.iter().all(|(words, most, colour)| canvas.width(words, style(size.min(*most), *colour)) <= widest);
+    if canvas.frame().text <= 1.0 && fit(DETAILS) {
+        // Words of one kind have one size.
+        let most = if texts[0].1 == texts[1].1 && !fit(texts[0].1) { DETAILS } else { f32::INFINITY };
         for ((words, size, colour), down) in texts.into_iter().zip([18.0, 42.0]) {
-            widgets::fitted(canvas, words, from + Vec2::new(0.0, down), widest, &[size, DETAILS], colour);
+            widgets::fitted(canvas, words, from + Vec2::new(0.0, down), widest, &[size.min(most), DETAILS], colour);
         }
         return;
     }
-    let lines = texts.into_iter().flat_map(|(words, _, colour)| {
-        widgets::lines(canvas, words, widest, small(colour)).into_iter().map(move |line| (line, colour))
-    });
-    for (row, (line, colour)) in lines.take(4).enumerate() {
-        let down = (row as f32 + 0.7) * 1.05 * canvas.frame().text_height(DETAILS);
-        canvas.text(&line, from + Vec2::new(0.0, down), small(colour));
+    let pitch = 1.05 * canvas.frame().text_height(DETAILS);
+    let most = (words_room(canvas.frame()) / pitch) as usize;
+    let lines_of = |texts: [&str; 2]| -> Vec<(String, usize)> {
+        let of = |(which, words): (usize, &str)| {
+            widgets::lines(canvas, words, widest, style(DETAILS, theme::text())).into_iter().map(move |line| (line, which))
+        };
+        texts.into_iter().enumerate().flat_map(of).collect()
+    };
+    let [first, second] = texts.map(|(words, ..)| words);
+    let mut lines = lines_of([first, second]);
+    if lines.len() > most {
+        lines = lines_of([first, second.rsplit_once(" (").map_or(second, |(brief, _)| brief)]);
     }
+    if lines.len() > most {
+        lines.truncate(most);
+        lines.last_mut().into_iter().for_each(|(line, _)| line.push('…'));
+    }
+    for (row, (line, which)) in lines.into_iter().enumerate() {
+        canvas.text(&line, from + Vec2::new(0.0, (row as f32 + 0.7) * pitch), style(DETAILS, texts[which].2));
+    }
+}
+
+/// Height of the words below a chart: two lines of them, or four where they are large.
+fn words_room(frame: &Frame) -> f32 {
+    WORDS.max(LARGE_WORDS * frame.text_height(DETAILS))
 }

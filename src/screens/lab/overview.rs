@@ -30,15 +30,21 @@ const PILES: &str = "piles";
 /// Height of a picture's title, and of a line of its sentence, which may take two.
 const TITLE: f32 = 40.0;
 const LINE: f32 = 18.0;
+/// The most of a picture's height that its sentence takes.
+const SENTENCE: f32 = 0.15;
 
 /// Title, sentence, and what it leads to.
 const PICTURES: [(&str, &str, Onwards); 4] = [
     (
-        "Error against time",
+        "Error against computing time",
         "A throw with drag and wind: a curve a method, a mark a step. Lower left is better.",
         Onwards::Chart(ERRORS),
     ),
-    ("Where methods break", "Inside its edge a method fades as the truth does; outside it grows without end.", Onwards::Stability),
+    (
+        "Where methods break",
+        "Inside its edge a method fades as the truth does (implicit Euler: outside); else it grows without end.",
+        Onwards::Stability,
+    ),
     ("What modelling less saves", "What a scene does not contain is not computed, and not a bit changes.", Onwards::Savings),
     (
         "Beside Box2D and Rapier",
@@ -126,6 +132,9 @@ fn head(ui: &Ui<'_>, area: Area, title: &str, sentence: &str) {
     let widest = area.size.x - 2.0 * PADDING;
     let at = |y: f32| Vec2::new(area.centre().x, area.min.y + y);
     widgets::fitted(ui.canvas(), tr(title), at(TITLE / 2.0 + 2.0), widest, &[BUTTON_TEXT, TEXT], theme::text());
+    if !has_sentence(area, &ui.frame()) {
+        return;
+    }
     let style = Style::new(DETAILS, theme::quiet()).centred().middle();
     for (row, line) in widgets::lines(ui.canvas(), tr(sentence), widest, style).iter().enumerate() {
         ui.canvas().text(line, at(TITLE + (row as f32 + 0.5) * line_of(&ui.frame()) - 4.0), style);
@@ -137,8 +146,13 @@ fn line_of(frame: &Frame) -> f32 {
     LINE.max(1.05 * frame.text_height(DETAILS))
 }
 
+/// Large words leave a small picture its room.
+fn has_sentence(area: Area, frame: &Frame) -> bool {
+    2.0 * line_of(frame) <= SENTENCE * area.size.y
+}
+
 /// The room of the picture in its card.
 fn inside(area: Area, frame: &Frame) -> Area {
-    let down = TITLE + 2.0 * line_of(frame);
+    let down = TITLE + if has_sentence(area, frame) { 2.0 * line_of(frame) } else { 0.0 };
     Area::new(area.min.x + PADDING, area.min.y + down, area.size.x - 2.0 * PADDING, area.size.y - down - 8.0)
 }

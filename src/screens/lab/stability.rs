@@ -72,8 +72,11 @@ const SENTENCES: [&str; 3] = [
 /// ω·h.
 const TURN: f64 = 0.4;
 const STEPS: usize = 12;
-/// The picture's part of the width, and the radius of the circle in its half height.
+const LEGEND: [(&str, Option<Marker>); 3] =
+    [("explicit Euler", Some(Marker::Square)), ("semi-implicit Euler", Some(Marker::Up)), ("exact, and the shipped engine", None)];
+/// The picture's part of the width, the same where words are large, and the radius of the circle in its half height.
 const PICTURE: f32 = 0.5;
+const SMALL_PICTURE: f32 = 0.42;
 const RADIUS: f32 = 0.17;
 
 pub(super) fn show(ui: &mut Ui<'_>, body: Area) -> Option<Request> {
@@ -83,27 +86,30 @@ pub(super) fn show(ui: &mut Ui<'_>, body: Area) -> Option<Request> {
     canvas.text(tr(TITLE), title, Style::new(BUTTON_TEXT, theme::text()).centred().middle());
     let panel = Area::new(body.min.x, body.min.y + 40.0, body.size.x, body.size.y - 40.0);
     widgets::panel(canvas, panel);
-    draw_picture(canvas, Area { size: Vec2::new(PICTURE * panel.size.x, panel.size.y), ..panel });
-    let left = panel.min.x + PICTURE * panel.size.x;
-    let mut at = Vec2::new(left, panel.min.y + 2.0 * PADDING);
-    let width = panel.max().x - 2.0 * PADDING - left;
-    for sentence in SENTENCES {
-        for line in widgets::lines(canvas, tr(sentence), width, Style::new(TEXT, theme::text())) {
-            canvas.text(&line, at, Style::new(TEXT, theme::text()));
-            at.y += canvas.line_height(TEXT);
+    // Large words have more of the width.
+    let picture = if canvas.frame().text > 1.0 { SMALL_PICTURE } else { PICTURE };
+    draw_picture(canvas, Area { size: Vec2::new(picture * panel.size.x, panel.size.y), ..panel });
+    let line = canvas.line_height(TEXT);
+    let style = Style::new(TEXT, theme::text());
+    let width = panel.size.x * (1.0 - picture) - 2.0 * PADDING;
+    let sentences = SENTENCES.map(|sentence| widgets::lines(canvas, tr(sentence), width, style));
+    let rows = sentences.iter().map(Vec::len).sum::<usize>() + LEGEND.len();
+    let room = panel.size.y - 3.0 * PADDING - rows as f32 * line;
+    let apart = line.min(room / SENTENCES.len() as f32);
+    let mut at = panel.min + Vec2::new(picture * panel.size.x, 2.0 * PADDING);
+    for lines in &sentences {
+        for words in lines {
+            canvas.text(words, at, style);
+            at.y += line;
         }
-        at.y += canvas.line_height(TEXT);
+        at.y += apart;
     }
-    for (name, colour, mark) in [
-        ("explicit Euler", theme::bad(), Some(Marker::Square)),
-        ("semi-implicit Euler", theme::player_objective(), Some(Marker::Up)),
-        ("exact, and the shipped engine", theme::good(), None),
-    ] {
-        let middle = Vec2::new(at.x, at.y + 0.5 * canvas.line_height(TEXT));
+    for ((name, mark), colour) in LEGEND.into_iter().zip([theme::bad(), theme::player_objective(), theme::good()]) {
+        let middle = Vec2::new(at.x, at.y + 0.5 * line);
         canvas.line(middle, middle + Vec2::new(36.0, 0.0), 2.0, colour);
         mark.into_iter().for_each(|mark| marker(canvas, middle + Vec2::new(18.0, 0.0), mark, colour));
-        canvas.text(tr(name), middle + Vec2::new(48.0, 0.0), Style::new(TEXT, theme::text()).middle());
-        at.y += canvas.line_height(TEXT);
+        canvas.text(tr(name), middle + Vec2::new(48.0, 0.0), style.middle());
+        at.y += line;
     }
     (tool == Some("Back")).then_some(Request::Pop)
 }

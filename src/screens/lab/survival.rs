@@ -1,7 +1,7 @@
 //! The table of the stress tests with a small picture of each failure, and a large one of the selected line.
 
 use super::BACK;
-use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, EDGE, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::drawing::picture;
 use crate::lab::stress::picture::FailurePicture;
@@ -25,13 +25,11 @@ const WORDS: f32 = 40.0;
 const COLUMNS: [f32; 3] = [24.0, 48.0, 48.0];
 /// From the panel's right edge to a line's picture, and the width of that.
 const PICTURE: (f32, f32) = (336.0, 176.0);
+/// The same where words are large.
+const SMALL_PICTURE: (f32, f32) = (276.0, 96.0);
 const BETWEEN: f32 = 16.0;
-/// From the large picture's panel to the words on its test, at its top, and to the picture, at its foot.
-const HEAD: f32 = 80.0;
-const FOOT: f32 = 92.0;
-const LARGE_FOOT: f32 = 140.0;
-/// Lines of the words on its test.
-const SENTENCE: f32 = 3.0;
+/// Lines of the words on its test, for which there is always room.
+const SENTENCE: usize = 3;
 
 #[derive(Clone, Debug, PartialEq)]
 enum SurvivalLine {
@@ -114,52 +112,70 @@ impl SurvivalPage {
         if row.shipped || chosen {
             let area = Area::new(left + COLUMNS[0], line.min.y + 1.0, right - left - COLUMNS[0] - COLUMNS[2] + 8.0, ROW - 2.0);
             canvas.rounded(area, 6.0, theme::panel_hover());
+            if chosen {
+                canvas.rounded_edge(area, 6.0, EDGE, theme::accent());
+            }
         }
         let name = Style::new(TEXT, if row.shipped { theme::accent() } else { theme::text() }).middle();
-        let widest = right - PICTURE.0 - left - COLUMNS[1] - 8.0;
-        canvas.text(&widgets::cut(canvas, tr(&row.method), widest, name), Vec2::new(left + COLUMNS[1], y), name);
+        let (from_right, width) = if canvas.frame().text > 1.0 { SMALL_PICTURE } else { PICTURE };
+        // A name that is too long for its column takes some of the picture's.
+        let widest = right - from_right + width / 2.0 - left - COLUMNS[1] - 8.0;
+        let (words, at) = (widgets::cut(canvas, tr(&row.method), widest, name), Vec2::new(left + COLUMNS[1], y));
+        canvas.text(&words, at, name);
         if let Some(drawn) = self.picture(index) {
-            let area = Area::new(right - PICTURE.0, line.min.y + 3.0, PICTURE.1, ROW - 6.0);
+            let from = (right - from_right).max(at.x + canvas.width(&words, name) + 8.0);
+            let area = Area::new(from, line.min.y + 3.0, right - from_right + width - from, ROW - 6.0);
             picture::small(canvas, area, drawn, line_colour(row));
         }
         let value = Style::new(TEXT, value_colour(row)).middle().right();
         canvas.text(&row.shown(), Vec2::new(right - COLUMNS[2], y), value);
     }
 
+    /// Words on the test, its picture, and words on that.
     fn draw_large(&self, canvas: &Canvas, panel: Area, (index, row): (usize, &Survival)) {
         let (middle, widest) = (panel.centre().x, panel.size.x - 2.0 * PADDING);
+        let write = |top: f32, words: &str, size: f32, colour: Colour| {
+            let style = Style::new(size, colour).middle().centred();
+            let (lines, pitch) = (widgets::lines(canvas, words, widest, style), 1.15 * canvas.frame().text_height(size));
+            for (line, words) in lines.iter().enumerate() {
+                canvas.text(words, Vec2::new(middle, top + (line as f32 + 0.5) * pitch), style);
+            }
+            (lines.len(), pitch)
+        };
         let name = if row.shipped { theme::accent() } else { theme::text() };
-        widgets::fitted(canvas, tr(&row.method), Vec2::new(middle, panel.min.y + 28.0), widest, &[BUTTON_TEXT, TEXT], name);
-        // Its line of the table names the test, too.
-        if canvas.width(tr(&row.test), Style::new(DETAILS, name)) <= widest {
-            widgets::fitted(canvas, tr(&row.test), Vec2::new(middle, panel.min.y + 58.0), widest, &[TEXT, DETAILS], theme::quiet());
+        let mut top = panel.min.y + INSIDE;
+        for (words, size, colour) in [(row.method.as_str(), BUTTON_TEXT, name), (row.test.as_str(), TEXT, theme::quiet())] {
+            let (lines, pitch) = write(top, tr(words), size, colour);
+            top += lines as f32 * pitch;
         }
-        let (style, line) = (Style::new(DETAILS, theme::text()).middle().centred(), canvas.line_height(DETAILS));
         let sentence = self.tried.get(row.test.as_str()).map_or("", |sentence| tr(sentence));
-        for (i, words) in widgets::lines(canvas, sentence, widest, style).iter().enumerate() {
-            canvas.text(words, Vec2::new(middle, panel.min.y + HEAD + (i as f32 + 0.5) * line), style);
-        }
-        let foot = if canvas.frame().text > 1.0 { LARGE_FOOT } else { FOOT };
-        let head = HEAD + SENTENCE * line + PADDING / 2.0;
-        let stage = Area::new(panel.min.x + PADDING, panel.min.y + head, widest, panel.size.y - head - foot);
+        let (lines, pitch) = write(top + INSIDE, sentence, DETAILS, theme::text());
+        top += 2.0 * INSIDE + lines.max(if canvas.frame().text > 1.0 { 0 } else { SENTENCE }) as f32 * pitch;
         let Some(drawn) = self.picture(index) else {
             let words = if row.shipped { tr("It refuses all of them.") } else { tr("There is no picture of this.") };
+            let stage = Area::new(panel.min.x, top, panel.size.x, panel.max().y - top);
             return canvas.text(words, stage.centre(), Style::new(TEXT, theme::quiet()).middle().centred());
         };
-        picture::large(canvas, stage, drawn, line_colour(row));
         let survives = row.largest >= row.tried;
         let (words, colour) = if survives { (tr("It still holds at"), theme::good()) } else { (tr("It fails at"), theme::bad()) };
         let words = format!("{words} {}", short(drawn.value));
-        let mut at = Vec2::new(middle, stage.max().y + 24.0);
         let legend = tr("green: exact, and within the tolerance");
-        for (words, colour) in [(words.as_str(), colour), (tr(&row.parameter), theme::quiet()), (legend, theme::good())] {
-            let style = |size: f32| Style::new(size, colour).middle().centred();
-            let fits = |size: &f32| canvas.width(words, style(*size)) <= widest;
-            let style = style([TEXT, DETAILS].into_iter().find(fits).unwrap_or(DETAILS));
-            for line in widgets::lines(canvas, words, widest, style) {
-                canvas.text(&line, at, style);
-                at.y += 24.0;
-            }
+        let foot = [(words.as_str(), colour), (tr(&row.parameter), theme::quiet()), (legend, theme::good())];
+        let size_of = |words: &str| {
+            let fits = |size: &f32| canvas.width(words, Style::new(*size, colour)) <= widest;
+            [TEXT, DETAILS].into_iter().find(fits).unwrap_or(DETAILS)
+        };
+        let height_of = |words: &str| {
+            let style = Style::new(size_of(words), colour);
+            widgets::lines(canvas, words, widest, style).len() as f32 * 1.15 * canvas.frame().text_height(style.size)
+        };
+        let foot_top = panel.max().y - INSIDE - foot.iter().map(|(words, _)| height_of(words)).sum::<f32>();
+        let stage = Area::new(panel.min.x + PADDING, top, widest, foot_top - INSIDE - top);
+        picture::large(canvas, stage, drawn, line_colour(row));
+        let mut at = foot_top;
+        for (words, colour) in foot {
+            let (lines, pitch) = write(at, words, size_of(words), colour);
+            at += lines as f32 * pitch;
         }
     }
 }

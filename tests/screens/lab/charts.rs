@@ -3,7 +3,7 @@
 use super::*;
 use resultant::lab::charts::Charts;
 use resultant::lab::curve::Measured;
-use resultant::lab::drawing::diagram::DiagramPlaces;
+use resultant::lab::drawing::places::DiagramPlaces;
 use resultant::physics::SOURCES;
 
 /// The scene on the page of the charts: its index among all, and its chart.

@@ -2,6 +2,7 @@
 //! with damaged charts.
 
 mod charts;
+mod legible;
 mod side_by_side;
 mod stress;
 
@@ -106,7 +107,7 @@ fn the_pictures_of_the_first_page_lead_on() {
     let most = charts.savings.iter().map(Saving::times).fold(0.0, f64::max);
     let mut sitting = lab_at("Overview");
     assert_eq!(lab(sitting.click("Where methods break")).page, Page::Stability);
-    for (title, name) in [("Error against time", "projectile"), ("Beside Box2D and Rapier", "piles")] {
+    for (title, name) in [("Error against computing time", "projectile"), ("Beside Box2D and Rapier", "piles")] {
         turn_to(&mut sitting, "Overview");
         assert_eq!(lab(sitting.click(title)).page, Page::Charts);
         assert_eq!(scene(&sitting).1.name, name);

@@ -11,6 +11,9 @@ use crate::words::tr;
 
 /// Height of the line at a half's foot: its error.
 const FOOT: f32 = 40.0;
+/// Between two words below the halves, and the most that the sample and the gap before them take.
+const BETWEEN: f32 = 24.0;
+const SAMPLE: f32 = 42.0;
 /// Larger errors have this many decimals, so that they do not jitter.
 const PLAIN: f64 = 1e-3;
 
@@ -50,15 +53,35 @@ impl SideBySide {
     /// The meaning of the outline and of the lines above at the left, the time at the right.
     fn draw_words(&self, canvas: &Canvas, row: Area) {
         let quiet = Style::new(TEXT, theme::quiet()).middle();
-        let ghost = Area::around(Vec2::new(row.min.x + 8.0, row.centre().y), Vec2::splat(16.0));
-        canvas.rounded_edge(ghost, 0.0, 2.0, theme::good());
-        let words = tr("the exact answer   above: the errors so far, green: a tenth of a pixel");
-        canvas.text(words, Vec2::new(ghost.max().x + 10.0, row.centre().y), quiet);
         let speed = self.exhibit().speed;
         let pace = if speed < 1.0 { tr!("   {speed} times slower", speed = short(1.0 / speed)) } else { String::new() };
         let end = if self.is_over() { tr("   the end") } else { "" };
         let words = tr!("time {time} s{pace}{end}", time = format_args!("{:6.3}", self.time()), pace, end);
         canvas.text(&words, Vec2::new(row.max().x, row.centre().y), quiet.mono().right());
+        let end = row.max().x - canvas.width(&words, quiet.mono()) - BETWEEN;
+        let y = row.centre().y;
+        let ghost = |left: f32| {
+            canvas.rounded_edge(Area::around(Vec2::new(left + 8.0, y), Vec2::splat(16.0)), 0.0, 2.0, theme::good());
+            16.0
+        };
+        let line = |left: f32| {
+            canvas.line(Vec2::new(left, y), Vec2::new(left + 32.0, y), 2.0, theme::good());
+            32.0
+        };
+        let bare = |_: f32| 0.0;
+        let samples: [(&dyn Fn(f32) -> f32, &str); 3] =
+            [(&ghost, tr("the exact answer")), (&line, tr("a tenth of a pixel, 1/300 m")), (&bare, tr("above: the errors so far"))];
+        let mut left = row.min.x;
+        // What has no room beside the time is left out, the last one first.
+        for (sample, words) in samples {
+            let width = canvas.width(words, quiet);
+            if left + SAMPLE + width > end {
+                break;
+            }
+            let from = left + sample(left) + 10.0;
+            canvas.text(words, Vec2::new(from, y), quiet);
+            left = from + width + BETWEEN;
+        }
     }
 
     /// The errors of both so far, in decades upwards.
@@ -71,7 +94,8 @@ impl SideBySide {
         let named = [-15, -10, -5, 0].into_iter().step_by(each).map(|exponent| (exponent, format!("{} m", power(exponent))));
         let named: Vec<_> = named.collect();
         let left = named.iter().map(|(_, words)| canvas.width(words, quiet)).fold(0.0, f32::max) + 16.0;
-        let area = Area::new(panel.min.x + left, panel.min.y + 10.0, panel.size.x - left - 12.0, panel.size.y - 20.0);
+        let edge = (0.6 * canvas.frame().text_height(DETAILS)).max(10.0);
+        let area = Area::new(panel.min.x + left, panel.min.y + edge, panel.size.x - left - 12.0, panel.size.y - 2.0 * edge);
         let level = |error: f64| area.max().y - area.size.y * decades.part(error) as f32;
         for (exponent, words) in named {
             let y = level(10f64.powi(exponent));
@@ -98,7 +122,7 @@ impl SideBySide {
         widgets::fitted(canvas, tr(half.method), name, panel.size.x - 2.0 * super::CHOICE.x - 32.0, &[BUTTON_TEXT, TEXT], colour);
         let (rule, uses) = rules::of(half.method).unwrap_or_default();
         let line = if canvas.frame().text > 1.0 { 1.05 * canvas.frame().text_height(DETAILS) } else { 20.0 };
-        let mut up = 12.0;
+        let mut up = (0.6 * canvas.frame().text_height(DETAILS)).max(12.0);
         for (words, colour) in [(uses, theme::quiet()), (rule, theme::text())] {
             let style = Style::new(size, colour).centred().middle();
             for words in widgets::lines(canvas, tr(words), panel.size.x, style).iter().rev() {
