@@ -3,7 +3,7 @@
 
 use super::reach::{CentredBox, grown};
 use super::types::{LevelLink, Objective, ObjectiveKind, Presser, SHIP_HALF, Switch};
-use super::winnable::{Checked, Goal, LIVELY};
+use super::winnable::{Checked, LIVELY, TouchGoal};
 use super::{draft::Draft, gates, problem::Problem, schema::typed::FromRow, types};
 use crate::number::{fixed, trimmed};
 use crate::physics::{Aabb, DVec2, LinkEnd, LinkLaw};
@@ -203,7 +203,7 @@ fn tied(level: &Checked, pad: &FromRow<Objective>) -> Option<Problem> {
             holds && over > 0.0 && 0.5 * tie.stiffness * over * over > energy
         })
     };
-    let goal = Goal::from(&pad.item);
+    let goal = TouchGoal::from(&pad.item);
     let tethers = goal.bodies(level).map(tether).collect::<Option<Vec<_>>>()?;
     let found = tr!("a link too short for the objective of line {line}, for which nothing can stretch it", line = pad.line);
     Some(tethers.first()?.problem("length", found, tr("one that lets its body get there")))

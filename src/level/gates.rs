@@ -3,7 +3,7 @@
 
 use super::reach::{FreeSpace, grown, shared};
 use super::types::{SHIP_HALF, SwitchStay};
-use super::winnable::{Checked, Goal};
+use super::winnable::{Checked, TouchGoal};
 use super::wiring::{SwitchesByName, Wire, Worked};
 use super::{draft::Draft, numbers::MIN_SIZE, problem::Problem};
 use crate::physics::{Aabb, DVec2, Sides};
@@ -27,9 +27,9 @@ pub(super) fn warn(level: &Checked) -> Vec<Problem> {
     let past_doors = gates.spaces([&all, &all], &gates.shut);
     let held = gates.spaces([&gates.open, &gates.open], &gates.shut);
     let last = gates.spaces([&gates.passed, &gates.open], &gates.shut);
-    let gets = |goal: &Goal, spaces: [&FreeSpace; 2]| goal.gets(level, spaces) != [false; 2];
+    let gets = |goal: &TouchGoal, spaces: [&FreeSpace; 2]| goal.gets(level, spaces) != [false; 2];
     // What keeps all from a goal, and what it takes instead.
-    let barred = |goal: &Goal| {
+    let barred = |goal: &TouchGoal| {
         let in_turn = [[space; 2], [&off_red[0], space], past_doors.each_ref()];
         let first = in_turn.into_iter().position(|spaces| !gets(goal, spaces));
         first.unwrap_or(if gets(goal, held.each_ref()) { 3 } else { 4 })
@@ -42,7 +42,7 @@ pub(super) fn warn(level: &Checked) -> Vec<Problem> {
     ];
     let pressed = draft.switches.iter().enumerate().filter(|(index, _)| !gates.pressed[*index]);
     let switches = pressed.map(|(index, switch)| {
-        let cause = barred(&Goal::from(&switch.item));
+        let cause = barred(&TouchGoal::from(&switch.item));
         let found = [
             tr("a switch that nothing which works it gets to"),
             tr("a switch that the ship gets to through red alone"),
@@ -60,9 +60,9 @@ pub(super) fn warn(level: &Checked) -> Vec<Problem> {
         let route = tr("a route to it that needs no closed door, or another switch for the door");
         switch.problem("x", tr!("a switch behind {whose}", whose), route)
     });
-    let unmet = draft.objectives.iter().filter(|pad| !gets(&Goal::from(&pad.item), last.each_ref()));
+    let unmet = draft.objectives.iter().filter(|pad| !gets(&TouchGoal::from(&pad.item), last.each_ref()));
     let pads = unmet.map(|pad| {
-        let cause = barred(&Goal::from(&pad.item));
+        let cause = barred(&TouchGoal::from(&pad.item));
         let found = [
             tr("an objective that the ship cannot get to"),
             tr("an objective that the ship gets to through red alone"),
@@ -198,7 +198,7 @@ impl<'a> Gates<'a> {
                 if self.lasting[index] && self.pressed[index] {
                     continue;
                 }
-                let [by_ship, by_others] = Goal::from(&switch.item).gets(self.level, [&ships, &others]);
+                let [by_ship, by_others] = TouchGoal::from(&switch.item).gets(self.level, [&ships, &others]);
                 news |= (by_ship || by_others) && !self.pressed[index] || by_others && !self.lasting[index];
                 self.pressed[index] |= by_ship || by_others;
                 self.lasting[index] |= by_others;

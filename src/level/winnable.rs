@@ -23,27 +23,27 @@ pub(super) fn check(level: &Checked) -> Vec<Problem> {
 }
 
 /// What the ship or some objects have to touch.
-pub(super) struct Goal {
+pub(super) struct TouchGoal {
     bounds: Aabb,
     by: Presser,
     /// Of the only keys that fit.
     colour: Option<[u8; 3]>,
 }
 
-impl From<&Objective> for Goal {
+impl From<&Objective> for TouchGoal {
     fn from(pad: &Objective) -> Self {
         let by = if pad.kind == ObjectiveKind::Player { Presser::Ship } else { Presser::Key };
         Self { bounds: pad.bounds, by, colour: pad.colour }
     }
 }
 
-impl From<&Switch> for Goal {
+impl From<&Switch> for TouchGoal {
     fn from(switch: &Switch) -> Self {
         Self { bounds: switch.bounds, by: switch.by, colour: None }
     }
 }
 
-impl Goal {
+impl TouchGoal {
     /// The ship, where it counts, and the objects that do.
     pub fn bodies(&self, level: &Checked) -> impl Iterator<Item = CentredBox> {
         self.takes_ship().then(|| level.ship_box()).into_iter().chain(self.objects(level.draft))
@@ -80,7 +80,7 @@ fn starts(level: &Checked) -> Vec<Problem> {
         .collect();
     let met = |objective: &Objective| {
         let touches = |(centre, half)| Aabb::around(centre, half).touches(&objective.bounds, TOUCH);
-        objective.hold == 0.0 && Goal::from(objective).bodies(level).any(touches)
+        objective.hold == 0.0 && TouchGoal::from(objective).bodies(level).any(touches)
     };
     if let Some(first) = draft.objectives.first()
         && draft.objectives.iter().all(|objective| met(&objective.item))
@@ -92,7 +92,7 @@ fn starts(level: &Checked) -> Vec<Problem> {
 
 /// An objective to which no body gets that fits.
 fn unreachable(level: &Checked, pad: &FromRow<Objective>) -> Option<Problem> {
-    let goal = Goal::from(&pad.item);
+    let goal = TouchGoal::from(&pad.item);
     if goal.bodies(level).next().is_none() {
         // `draft` reports a level without any key.
         let colour = quoted(&pad.item.colour?.map(|channel| channel.to_string()).join(","));
