@@ -8,7 +8,6 @@ pub(crate) struct Coefficients {
 }
 
 impl Coefficients {
-    /// Whether both have the same friction.
     pub fn rubs_like(&self, other: &Self) -> bool {
         self.static_friction == other.static_friction && self.kinetic_friction == other.kinetic_friction
     }

@@ -176,22 +176,14 @@ pub struct SurfaceDef {
 
 impl Default for SurfaceDef {
     fn default() -> Self {
-        Self {
-            bounds: Aabb::new(DVec2::ZERO, DVec2::ONE),
-            material: Material::ASPHALT,
-            path: Path::default(),
-            sides: Sides::default(),
-            belt: 0.0,
-            present: true,
-            runs: true,
-        }
+        Self::fixed(Aabb::new(DVec2::ZERO, DVec2::ONE), Material::ASPHALT)
     }
 }
 
 impl SurfaceDef {
     /// A surface that stands still and is solid all around.
     pub fn fixed(bounds: Aabb, material: Material) -> Self {
-        Self { bounds, material, ..Self::default() }
+        Self { bounds, material, path: Path::default(), sides: Sides::ALL, belt: 0.0, present: true, runs: true }
     }
 
     pub(crate) fn check(&self) -> Result<(), DefError> {
@@ -226,18 +218,9 @@ pub struct Surface {
 
 impl Surface {
     pub(crate) fn new(def: SurfaceDef) -> Self {
-        let mut surface = Self {
-            bounds: def.bounds,
-            velocity: DVec2::ZERO,
-            material: def.material,
-            present: def.present,
-            wanted: def.present,
-            clock: 0.0,
-            belt: def.belt,
-            runs: def.runs,
-            moved: false,
-            def,
-        };
+        let SurfaceDef { bounds, material, present, belt, runs, .. } = def;
+        let (velocity, clock, wanted, moved) = (DVec2::ZERO, 0.0, present, false);
+        let mut surface = Self { bounds, velocity, material, present, def, clock, belt, runs, wanted, moved };
         surface.go_on(0.0);
         surface
     }

@@ -38,8 +38,7 @@ impl Network {
     /// Sets the links aside (`cut`) that lead to other ground than `ground`. Returns whether there are any.
     pub(super) fn part_with_other_grounds(&mut self, block: Block, ground: f64) -> bool {
         let mut any = false;
-        for at in block.begin..block.end {
-            let i = self.order[at];
+        for &i in &self.order[block.begin..block.end] {
             for slot in self.links_of(i) {
                 let link = &mut self.links[self.incident.list[slot] as usize];
                 if !link.cut && link.other(i) == GROUND && link.ground != ground {
@@ -54,8 +53,7 @@ impl Network {
     /// Adds the action of the grounds set aside at the acceleration `held`: ties drag with their limit, pushes are larger than all else together.
     pub(super) fn pull_by_other_grounds(&mut self, block: Block, held: f64) {
         let (mut all, mut mass) = (0.0, 0.0);
-        for at in block.begin..block.end {
-            let i = self.order[at];
+        for &i in &self.order[block.begin..block.end] {
             all += self.notes[i as usize].excess.abs();
             mass += self.nodes[i as usize].mass;
             for slot in self.links_of(i) {

@@ -4,7 +4,6 @@
 //! does not depend on the mass ratio; a block with the ground has a = 0 bit for bit, and is `squeezed` between two grounds that close on it.
 
 mod grounds;
-mod passes;
 mod routing;
 
 use crate::physics::data::{FORCE_TOLERANCE, Incidence, LIGHT, NONE, refill};
@@ -42,7 +41,6 @@ impl NetworkEdge {
         }
     }
 
-    /// Whether it hands loads on from this end.
     fn hands_on(&self, end: u32, upwards: bool) -> bool {
         !self.cut && self.carries == Carries::Push && (if upwards { self.lo } else { self.hi }) == end
     }
@@ -170,8 +168,7 @@ impl Network {
         (0..self.blocks.len()).all(|index| {
             let Range { start, end } = self.blocks[index];
             let mut block = Block { begin: start as usize, end: end as usize, ground: Some(0.0), largest: 0.0 };
-            for at in block.begin..block.end {
-                let i = self.order[at];
+            for &i in &self.order[block.begin..block.end] {
                 let force = self.nodes[i as usize].force;
                 let given: f64 = self.links_of(i).map(|slot| self.links[self.incident.list[slot] as usize].gives(i)).sum();
                 block.largest = block.largest.max(force.abs());
@@ -340,8 +337,7 @@ impl Network {
     }
 
     fn reset_flows(&mut self, block: Block) {
-        for at in block.begin..block.end {
-            let i = self.order[at];
+        for &i in &self.order[block.begin..block.end] {
             let node = self.nodes[i as usize];
             self.notes[i as usize].excess = node.force - node.mass * node.acceleration;
             for slot in self.links_of(i) {

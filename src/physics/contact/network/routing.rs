@@ -1,8 +1,7 @@
-//! A maximum flow along shortest paths, and a cut where it gets stuck (Ford and Fulkerson 1956, Edmonds and Karp 1972). One search serves all goals
-//! that are equally near, as in Dinic 1970.
+//! One pass of loads along the axis, in which a pile at rest and a pushed row settle; else a maximum flow along shortest paths, and a cut where it gets
+//! stuck (Ford and Fulkerson 1956, Edmonds and Karp 1972). One search serves all goals that are equally near, as in Dinic 1970.
 
-use crate::physics::contact::network::grounds::side_of;
-use crate::physics::contact::network::{Block, Carries, GROUND, Network, Side};
+use crate::physics::contact::network::{Block, Carries, GROUND, Network, NetworkEdge, Side, grounds::side_of};
 use crate::physics::data::NONE;
 
 const START: u32 = u32::MAX - 1;
@@ -16,6 +15,58 @@ enum From {
 }
 
 impl Network {
+    /// Whether nothing is pulled away from all that it presses against, or would have to be pulled along, by its own excess.
+    pub(super) fn may_pass(&self, block: Block, upwards: bool) -> bool {
+        let tolerance = block.tolerance();
+        self.order[block.begin..block.end].iter().all(|&i| {
+            let load = if upwards { self.notes[i as usize].excess } else { -self.notes[i as usize].excess };
+            let mut links = self.links_of(i).map(|slot| &self.links[self.incident.list[slot] as usize]);
+            let bears = |link: &NetworkEdge| link.other(i) != GROUND && link.hands_on(link.other(i), upwards);
+            load.abs() <= tolerance || links.any(|link| if load > 0.0 { link.hands_on(i, upwards) } else { bears(link) })
+        })
+    }
+
+    /// Each body hands its excess on to what it presses against, in equal shares, once it has got all (Kahn's order). Returns whether none has to pull.
+    pub(super) fn passes(&mut self, block: Block, upwards: bool) -> bool {
+        let (tolerance, sign) = (block.tolerance(), if upwards { 1.0 } else { -1.0 });
+        let presses = |link: &NetworkEdge, i: u32| link.hands_on(i, upwards);
+        self.queue.clear();
+        for &i in &self.order[block.begin..block.end] {
+            let links = self.links_of(i).map(|slot| &self.links[self.incident.list[slot] as usize]);
+            let bears = |link: &&NetworkEdge| link.other(i) != GROUND && presses(link, link.other(i));
+            self.notes[i as usize].waits_for = links.filter(bears).count() as u32;
+            if self.notes[i as usize].waits_for == 0 {
+                self.queue.push(i);
+            }
+        }
+        let mut next = 0;
+        while next < self.queue.len() {
+            let i = self.queue[next];
+            next += 1;
+            let (load, range) = (sign * self.notes[i as usize].excess, self.links_of(i));
+            let supports = range.clone().filter(|&slot| presses(&self.links[self.incident.list[slot] as usize], i)).count();
+            if load < -tolerance || supports == 0 && load > tolerance {
+                return false;
+            }
+            let share = load.max(0.0) / supports as f64;
+            for slot in range {
+                let link = &mut self.links[self.incident.list[slot] as usize];
+                if presses(link, i) {
+                    link.flow = share;
+                    let other = link.other(i);
+                    if other != GROUND {
+                        self.notes[other as usize].excess += sign * share;
+                        self.notes[other as usize].waits_for -= 1;
+                        if self.notes[other as usize].waits_for == 0 {
+                            self.queue.push(other);
+                        }
+                    }
+                }
+            }
+        }
+        self.queue.len() == block.end - block.begin
+    }
+
     /// Routes excess to where it is missing or into the ground, then from the ground to where it is still missing.
     pub(super) fn route(&mut self, block: Block) {
         while self.search(block, From::Excess) {
@@ -35,8 +86,8 @@ impl Network {
     }
 
     fn mark_reached(&mut self, block: Block, side: Side) {
-        for at in block.begin..block.end {
-            let note = &mut self.notes[self.order[at] as usize];
+        for &i in &self.order[block.begin..block.end] {
+            let note = &mut self.notes[i as usize];
             if note.came_by != NONE && note.side == Side::Same {
                 note.side = side;
             }
@@ -48,8 +99,7 @@ impl Network {
         let (ground, tolerance) = (self.nodes.len(), block.tolerance());
         self.queue.clear();
         let mut lacks = false;
-        for at in block.begin..block.end {
-            let i = self.order[at];
+        for &i in &self.order[block.begin..block.end] {
             let note = &mut self.notes[i as usize];
             lacks |= note.excess < -tolerance;
             let starts = match from {
