@@ -108,14 +108,10 @@ impl Events {
     pub(crate) fn find_contacts(&mut self, scene: &Scene) {
         self.take_contacts_of_concerned();
         for index in 0..self.touching.len() {
-            let mut contact = self.touching[index];
-            if self.met.is_some_and(|met| met.is_of(contact.lo, contact.hi)) {
-                match self.contact_now(scene, contact.lo, contact.hi) {
-                    Some(again) => contact = again,
-                    None => continue,
-                }
-            }
-            if self.stays(&contact) {
+            let touching = self.touching[index];
+            let met = self.met.is_some_and(|met| met.is_of(touching.lo, touching.hi));
+            let now = if met { self.contact_now(scene, touching.lo, touching.hi) } else { Some(touching) };
+            if let Some(contact) = now.filter(|contact| self.stays(contact)) {
                 let (slides, passed) = (self.slides(&contact), self.passed_by(&contact));
                 let fresh = Contact { closed: true, lasts: true, clings: false, passed, ..contact };
                 self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
@@ -124,7 +120,6 @@ impl Events {
         self.list_ends(scene, true);
     }
 
-    /// Takes what a contact has passed on before the present event.
     fn passed_by(&mut self, contact: &Contact) -> [f64; 2] {
         let known = self.trial.binary_search_by_key(&contact.ends(), Contact::ends);
         let known = known.ok().map(|at| &mut self.trial[at]).filter(|known| (known.lo, known.axis) == (contact.lo, contact.axis));
@@ -158,7 +153,6 @@ impl Events {
         self.trial.sort_unstable_by_key(Contact::ends);
     }
 
-    /// Ends a slide: the two ends, and all that moves with them, have one speed along the face from now on.
     pub(crate) fn stop_slide(&mut self, scene: &Scene, a: u32, b: u32) {
         let Some(stopped) = self.contacts.iter().find(|contact| contact.is_of(a, b)).copied() else { return };
         let mut next = 0;

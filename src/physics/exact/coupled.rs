@@ -2,9 +2,7 @@
 //! press on each other fly as one. A step ends where a liquid begins or ends, a link bends or breaks, or a contact begins to part or to slip.
 
 use crate::physics::data::{Contact, Cubic, EVENTS_OF_A_BODY, FORCE_TOLERANCE, LONGEST_SHORT, Pose, SPEED_TOLERANCE};
-use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::{Item, Travel};
-use crate::physics::exact::motions::SHORTEST;
+use crate::physics::exact::{events::Events, events::Scene, item::Item, item::Travel, motions::SHORTEST};
 use crate::physics::flight::steps::{CoupledStep, FIFTH_ORDER, RungeKutta, THIRD_ORDER, step_factor};
 use crate::physics::forces::Link;
 use glam::DVec2;
@@ -127,10 +125,9 @@ impl Events {
 
     /// What a step of third order is off by at most in air, m, where no contact changes: less than a twentieth of (a + ωv)·h²·(ωh)³.
     fn error_of_third_order(&self, scene: &Scene, h: f64) -> f64 {
-        let error = |item: &Item| {
-            let Item { body, law, solved, .. } = item;
+        let error = |Item { body, law, solved, .. }: &Item| {
+            // What bobs would add up the errors of many steps.
             if law.is_near_liquid() {
-                // What bobs would add up the errors of many steps.
                 return f64::INFINITY;
             }
             let rate = scene.media.rate(body, law, (body.position, body.velocity), h);
@@ -148,14 +145,14 @@ impl Events {
             CoupledStep::new((body.position, body.velocity), self.solved[*i as usize])
         }));
         for (stage, (weights, time)) in (1..).zip(method.stages.iter().zip(method.times)) {
-            self.coupled.iter_mut().for_each(|step| step.end = step.stages.at(weights, h));
+            self.coupled.iter_mut().for_each(|step| step.go_to(weights, h));
             self.pull_coupled(scene, h * time);
             self.changed |= self.contacts_change(h);
             for (step, &i) in self.coupled.iter_mut().zip(&self.concerned) {
                 step.take(stage, self.means[i as usize] * DVec2::new(1.0, if afloat { 0.0 } else { 1.0 }));
             }
         }
-        let errors = self.coupled.iter().map(|step| step.stages.error(method.error, h));
+        let errors = self.coupled.iter().map(|step| step.error(method.error, h));
         errors.fold(0.0, |most: f64, error| if error <= most { most } else { error })
     }
 
@@ -193,8 +190,7 @@ impl Events {
                 self.links[at].broken = now.on(first, |id| self.pose_of(id, |k| pose(self, k))).length() > most;
             }
         }
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
+        for i in self.concerned.iter().map(|i| *i as usize) {
             if self.items[i].linked {
                 self.items[i].link = self.links_on(scene, self.items[i].id, self.now, |k| pose(self, k));
             }
@@ -202,8 +198,7 @@ impl Events {
     }
 
     fn pose_of(&self, id: u32, pose: impl Fn(usize) -> Pose) -> Pose {
-        let item = |k: &u32| self.items[*k as usize].id;
-        self.concerned.iter().position(|k| item(k) == id).map_or_else(|| self.end_of(id), pose)
+        self.concerned.iter().position(|k| self.items[*k as usize].id == id).map_or_else(|| self.end_of(id), pose)
     }
 
     /// When within a step of `h` seconds a body enters or leaves a liquid, or the law of a link bends; `h` where nothing does.

@@ -1,10 +1,8 @@
 //! The end of a tick: its contacts and accelerations, with which the next tick begins.
 
-use crate::physics::contact::axis::Parts;
 use crate::physics::data::{Contact, Pose, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::Travel;
-use crate::physics::forces::link::links_on;
+use crate::physics::{contact::axis::Parts, exact::item::Travel, forces::link::links_on};
 use glam::DVec2;
 
 impl Events {

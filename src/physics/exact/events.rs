@@ -1,11 +1,10 @@
 //! An island and the buffers of the method of events; surfaces within a tick: the legs of their paths, and their stops.
 
-use crate::physics::contact::reactions::Reactions;
 use crate::physics::data::{Aabb, Contact, Cubic, Hit, Incidence, Plan, Pose, Surface, refill};
 use crate::physics::exact::item::{Item, Next, Track, Travel};
-use crate::physics::flight::steps::CoupledStep;
 use crate::physics::forces::{Link, Media, ZoneList};
 use crate::physics::state::{Guards, State};
+use crate::physics::{contact::reactions::Reactions, flight::steps::CoupledStep};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]

@@ -1,11 +1,10 @@
 //! Impacts in rounds, the fastest first, until nothing approaches (`docs/physics.md`, Impacts and their order). In a round no body is struck twice, but
 //! by hits that tie.
 
-use crate::physics::contact::axis::Parts;
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
 use crate::physics::data::{Aabb, BodyId, Contact, EQUAL_SPEED, Hit, Impulse, Obstacle, Part, SLOP, called, on_axis};
 use crate::physics::exact::events::{Events, Scene, Tie};
-use crate::physics::exact::item::Item;
+use crate::physics::{contact::axis::Parts, exact::item::Item};
 use glam::DVec2;
 
 impl Events {
@@ -188,23 +187,19 @@ impl Events {
         let axis = contact.axis;
         self.count_hit(&contact);
         let [lo_share, hi_share] = self.shares(contact.lo as usize, contact.hi as usize);
-        let reduced = if self.is_body(contact.hi) {
-            hi_share * self.items[contact.hi as usize].body.mass
-        } else {
-            self.items[contact.lo as usize].body.mass
-        };
+        let (share, of) = if self.is_body(contact.hi) { (hi_share, contact.hi) } else { (lo_share, contact.lo) };
+        let reduced = share * self.items[of as usize].body.mass;
         let change = (1.0 + e) * speed;
         let relative = self.sliding(&contact);
         // Friction changes the sliding by at most μ_k times the change along the normal, and stops it at most.
         let rubs = -relative.signum() * (contact.kinetic_friction * change).min(relative.abs());
         let rub = self.closing_at_a_corner(&contact, speed).map_or(rubs, |closing| -(1.0 + e) * closing);
         self.note(&contact, on_axis(axis, reduced * change, if rub == 0.0 { 0.0 } else { reduced * rub }), Some(speed));
-        let surface = [contact.lo, contact.hi].into_iter().find(|&item| !self.is_body(item));
+        let ground = contact.pair().into_iter().find(|&item| !self.is_body(item)).map(|surface| self.speed(surface)[axis]);
         for (item, share, sign) in [(contact.lo, lo_share, -1.0), (contact.hi, hi_share, 1.0)] {
             if !self.is_body(item) {
                 continue;
             }
-            let ground = surface.map(|surface| self.speed(surface)[axis]);
             let velocity = &mut self.speeds[item as usize];
             match ground {
                 // Exactly −e times the speed it came with, and exactly zero where friction stops it.
@@ -241,16 +236,15 @@ impl Events {
 
     /// Takes the pull of a surface off its last pushes in this tick on the same body. Returns whether they are as large.
     fn take_off(&mut self, contact: &mut Contact) -> bool {
-        let (body, surface) = contact.ends();
+        let ((body, surface), axis) = (contact.ends(), contact.axis);
         let sign = if body == contact.lo { -1.0 } else { 1.0 };
-        let [a, b] = [body, surface].map(|item| self.items[item as usize].id);
-        for hit in self.hits.iter_mut().rev().filter(|hit| hit.impulse.impact && hit.normal[contact.axis] == sign) {
-            if hit.impulse.a == BodyId(a) && hit.impulse.b == Obstacle::Surface(b) {
-                let push = &mut hit.impulse.vector[contact.axis];
-                let taken = (sign * *push).min(-contact.normal);
-                *push -= sign * taken;
-                contact.normal += taken;
-            }
+        let ends = (BodyId(self.items[body as usize].id), Obstacle::Surface(self.items[surface as usize].id));
+        let pushes = |hit: &&mut Hit| hit.impulse.impact && hit.normal[axis] == sign && (hit.impulse.a, hit.impulse.b) == ends;
+        for hit in self.hits.iter_mut().rev().filter(pushes) {
+            let push = &mut hit.impulse.vector[axis];
+            let taken = (sign * *push).min(-contact.normal);
+            *push -= sign * taken;
+            contact.normal += taken;
         }
         contact.normal >= 0.0
     }

@@ -1,8 +1,7 @@
 //! Items that meet, brought exactly together: along cubics that follow media they may be found a hair apart or in each other.
 
 use crate::physics::data::{Contact, SLOP, STRAY};
-use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::{EventKind, Next};
+use crate::physics::exact::{events::Events, events::Scene, item::EventKind, item::Next};
 
 impl Events {
     /// Brings two items to the instant at which they meet by Newton's method, and closes the gap left. Returns false if something else comes before.
@@ -58,7 +57,8 @@ impl Events {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.reach_of(contact);
         let gap = self.locate(scene, hi)[axis] - self.locate(scene, lo)[axis] - reach;
-        if gap < -STRAY && !self.began_apart(contact) {
+        let begun = (self.begun[hi] - self.begun[lo]).abs() - (self.items[lo].body.half + self.items[hi].body.half);
+        if gap < -STRAY && begun.max_element() < -STRAY {
             return;
         }
         if lo >= self.movable || hi >= self.movable {
@@ -78,12 +78,6 @@ impl Events {
                 self.push_along(scene, hi as u32, -gap * (share[1] / sum), contact);
             }
         }
-    }
-
-    fn began_apart(&self, contact: &Contact) -> bool {
-        let (lo, hi) = (contact.lo as usize, contact.hi as usize);
-        let reach = self.items[lo].body.half + self.items[hi].body.half;
-        ((self.begun[hi] - self.begun[lo]).abs() - reach).max_element() >= -STRAY
     }
 
     /// Where Newton's method has ended with the two in each other: halves the time since the last event until they are apart.

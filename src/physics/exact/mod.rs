@@ -19,8 +19,7 @@ pub(crate) mod trains;
 
 use crate::physics::data::{Aabb, Contact, EVENTS_OF_A_BODY, MOST_BORDERS, Part, Pose, called};
 pub(crate) use crate::physics::exact::events::{Events, ExactEnd, Scene};
-use crate::physics::exact::item::{EventKind, Item, Next, Travel};
-use crate::physics::exact::motions::SHORTEST;
+use crate::physics::exact::{item::EventKind, item::Item, item::Next, item::Travel, motions::SHORTEST};
 use crate::physics::{flight::liquid::flow, forces::law::Law};
 use glam::DVec2;
 
@@ -126,9 +125,7 @@ impl Events {
         }
         for i in bodies..all {
             self.foresee(scene, i);
-            if self.items[i].until < scene.tick {
-                self.nexts[i].or_earlier(self.items[i].until, EventKind::Renew);
-            }
+            self.nexts[i] = self.own_next(scene, i);
         }
         for i in 0..bodies {
             if !self.items[i].known {

@@ -1,11 +1,10 @@
 //! Motions after an event. A group in contact in media takes the mean acceleration of an implicit step: in `v′ = f − D·v − K·x` that is one contact
 //! solve with the masses M·(1 + θhD + θ²h²K), stable at any rate (`docs/physics.md`, Flight).
 
-use crate::physics::contact::axis::Parts;
 use crate::physics::data::{BOBBING_REACH, Contact, Cubic, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Implicit, Scene};
 use crate::physics::exact::item::{Item, Next, Slide, Track, Travel};
-use crate::physics::forces::zones;
+use crate::physics::{contact::axis::Parts, forces::zones};
 use glam::DVec2;
 
 /// The shortest part of a tick foreseen near a liquid. Smaller: many foresights in stiff liquids; larger: steps across a surface gain energy.
@@ -69,8 +68,7 @@ impl Events {
 
     fn settle_concerned(&mut self, scene: &Scene) {
         self.pass_on(false);
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
+        for i in self.concerned.iter().map(|i| *i as usize) {
             let item = &mut self.items[i];
             (item.body.position, item.body.velocity) = (self.places[i], self.speeds[i]);
             (item.since, item.end, item.disturbed) = (self.now, None, true);
@@ -95,8 +93,7 @@ impl Events {
     }
 
     pub(crate) fn solve_concerned(&mut self, scene: &Scene) {
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
+        for i in self.concerned.iter().map(|i| *i as usize) {
             let item = &self.items[i];
             self.free[i] = scene.media.acceleration(&item.body, &item.law, item.body.position, item.body.velocity);
             self.solved[i] = self.free[i];
@@ -147,8 +144,7 @@ impl Events {
         self.take_contacts_of_concerned();
         self.incident.index(self.items.len(), self.trial.iter().map(Contact::pair));
         let (mut coupled, winds) = (false, self.links.iter().any(|link| link.growth(scene.tick) != 0.0));
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
+        for i in self.concerned.iter().map(|i| *i as usize) {
             let (in_media, linked, touching) = (!self.items[i].law.is_constant(), self.items[i].linked, self.incident.of(i));
             let first = touching.first().map(|index| self.trial[*index as usize]);
             let at_rest = self.speeds[i] == DVec2::ZERO && self.solved[i] == DVec2::ZERO;
@@ -243,8 +239,7 @@ impl Events {
     /// The mean accelerations of bodies in contact in media: forces linearised, then those at the point found (second order).
     fn take_mean_accelerations(&mut self, scene: &Scene, h: f64) {
         self.implicit.clear();
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
+        for i in self.concerned.iter().map(|i| *i as usize) {
             let item = &self.items[i];
             let answer = scene.media.stiffness(&item.body, &item.law, item.body.position, item.body.velocity);
             let (drag, stiffness) = (answer.drag, DVec2::new(0.0, answer.lift));
@@ -267,8 +262,7 @@ impl Events {
             before = off;
             self.guards.flows_cut_short += u64::from(pass == STEEP_PASSES);
         }
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
+        for i in self.concerned.iter().map(|i| *i as usize) {
             let item = &mut self.items[i];
             self.masses[i] = DVec2::splat(item.body.mass);
             // A liquid that slows a resting body less and less may push it off.
@@ -284,10 +278,8 @@ impl Events {
     /// Takes the forces once more at that point. Where drag or lift is so much steeper there that such passes would diverge (from rest quadratic drag
     /// has no slope), they become `steep`: with slopes at their own point (Newton's method). Returns how much the next would change, m/s.
     fn correct_means(&mut self, scene: &Scene, h: f64, steep: &mut bool) -> f64 {
-        for k in 0..self.concerned.len() {
-            let i = self.concerned[k] as usize;
-            let (item, Implicit { theta, response, mean }) = (&self.items[i], &mut self.implicit[k]);
-            let (a, t) = (self.means[i], *theta * h);
+        for (i, Implicit { theta, response, mean }) in self.concerned.iter().map(|i| *i as usize).zip(&mut self.implicit) {
+            let (item, a, t) = (&self.items[i], self.means[i], *theta * h);
             let (x, v) = (item.body.position + t * item.body.velocity + t * t * a, item.body.velocity + t * a);
             let answer = scene.media.stiffness(&item.body, &item.law, x, v);
             let there = t * answer.drag + t * t * DVec2::new(0.0, answer.lift);

@@ -1,8 +1,7 @@
 //! The present instant: poses of items, and contacts of two of them.
 
 use crate::physics::data::{Contact, SLOP, SPEED_ROUNDING, Sides};
-use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::Item;
+use crate::physics::exact::{events::Events, events::Scene, item::Item};
 use glam::DVec2;
 
 impl Events {

@@ -3,17 +3,14 @@
 use crate::physics::data::{
     Aabb, Contact, Cubic, MICRO_SPEED, MOST_BORDERS, Polynomial, SLOP, SPEED_TOLERANCE, Sides, earliest, time_of_impact,
 };
-use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::item::{EventKind, Next, Travel};
+use crate::physics::exact::{events::Events, events::Scene, item::EventKind, item::Next, item::Travel};
 use crate::physics::forces::zones;
 use glam::DVec2;
 
 impl Events {
     pub(crate) fn predict(&mut self, scene: &Scene, i: usize) {
         let mut next = self.own_next(scene, i);
-        if i < self.movable {
-            self.next_border(scene, i, &mut next);
-        }
+        self.next_border(scene, i, &mut next);
         self.pressing.clear();
         for slot in self.incident.slots(i) {
             let contact = &self.contacts[self.incident.list[slot] as usize];
@@ -46,15 +43,10 @@ impl Events {
     }
 
     pub(crate) fn own_next(&self, scene: &Scene, i: usize) -> Next {
-        let item = &self.items[i];
-        let mut next = Next::NEVER;
-        if item.until < scene.tick {
-            next.or_earlier(item.until, EventKind::Renew);
-        }
-        next
+        let at = self.items[i].until;
+        if at < scene.tick { Next { at, kind: EventKind::Renew, ..Next::NEVER } } else { Next::NEVER }
     }
 
-    /// When an item meets another one, up to the end of the earlier of their paths.
     fn next_hit(&self, i: usize, next: &mut Next) {
         let mine = &self.tracks[i];
         let from_here = mine.way_from(self.now);
@@ -67,37 +59,34 @@ impl Events {
         let lane = Aabb::new(lane.min - reach, lane.max + reach);
         for j in 0..self.tracks.len() {
             if j != i && self.lanes[j].touches(&lane, 0.0) {
-                let found = self.next_meeting(i, j, &from_here, next.at);
-                next.or_earlier(found.at, found.kind);
+                self.next_meeting(i, j, &from_here, next);
             }
         }
     }
 
-    /// When an item meets another one, if it does `before` a time (s from the tick's start).
-    fn next_meeting(&self, i: usize, j: usize, from_here: &Cubic, before: f64) -> Next {
+    fn next_meeting(&self, i: usize, j: usize, from_here: &Cubic, next: &mut Next) {
         let (now, mine, other) = (self.now, &self.tracks[i], &self.tracks[j]);
-        let mut next = Next::NEVER;
-        let end = mine.until.min(other.until).min(self.nexts[j].at).min(before) - now;
+        let end = mine.until.min(other.until).min(self.nexts[j].at).min(next.at) - now;
         if mine.is_still() && other.is_still() || end <= 0.0 {
-            return next;
+            return;
         }
         if let Some(of) = [i, j].into_iter().find(|k| self.items[*k].train.is_some()) {
             let (with, members) = (if of == i { j } else { i }, self.items[of].train.map_or([i as u32; 3], |train| train.members));
             if !self.tracks[with].is_still() && !members.contains(&(with as u32)) {
                 next.or_earlier(now, EventKind::Begin { other: j as u32 });
             }
-            return next;
+            return;
         }
         // Bodies that press on each other have met already; in media they may part, and meet again.
         let press = self.pressing.contains(&(j as u32));
         if mine.motion != Travel::Coupled && press {
-            return next;
+            return;
         }
         let from_there = other.way_from(now);
         // Seen from the one of the lower number, so that both come to the same bits.
         let motion = if i < j { from_here.relative(&from_there) } else { from_there.relative(from_here) };
         if motion.stands() {
-            return next;
+            return;
         }
         let (halves, sides) = (mine.half + other.half, self.items[i.max(j)].sides);
         // A contact that has begun may be outside its level by the rounding of a place.
@@ -119,7 +108,6 @@ impl Events {
                 next.or_earlier(now + t, EventKind::Hit { other: j as u32, axis, ascending: (side > 0.0) == (i < j) });
             }
         }
-        next
     }
 
     fn next_contact_change(&self, i: u32, contact: &Contact, next: &mut Next) {
@@ -148,7 +136,8 @@ impl Events {
 
     fn next_border(&mut self, scene: &Scene, i: usize, next: &mut Next) {
         let (item, track) = (&self.items[i], &self.tracks[i]);
-        if track.is_still() || self.streams.is_empty() || self.borders[i].is_empty() || item.crossed.0 >= MOST_BORDERS {
+        let may = i < self.movable && !track.is_still() && !self.streams.is_empty();
+        if !may || self.borders[i].is_empty() || item.crossed.0 >= MOST_BORDERS {
             return;
         }
         let (way, pose, end) = (track.way_from(self.now), item.pose(scene.media, self.now), track.until - self.now);

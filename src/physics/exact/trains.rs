@@ -2,9 +2,8 @@
 //! bounce, with the tick, or where something comes near, and then lists what it has passed on.
 
 use crate::physics::data::{Aabb, Contact, Cubic, DAMPED_REACH, MANY_HITS, NONE, SHORT_BOUNCE, SLOP, Sides, on_axis};
-use crate::physics::exact::events::{Events, Scene};
-use crate::physics::exact::motions::SHORTEST;
 use crate::physics::exact::train::{BounceSeries, Train, TrainKind, Wedge};
+use crate::physics::exact::{events::Events, events::Scene, motions::SHORTEST};
 use crate::physics::forces::zones;
 use glam::DVec2;
 
@@ -191,7 +190,6 @@ impl Events {
         false
     }
 
-    /// Concerns a body and the surfaces that carry it.
     fn concern_carried(&mut self, scene: &Scene, item: u32) {
         if self.is_concerned[item as usize] {
             return;

@@ -37,23 +37,15 @@ struct AirStep {
 }
 
 impl AirStep {
-    /// From Q/h, 1/q, and the slowing at both ends.
+    /// From Q/h, 1/q, and h·s and h²·σ at both ends.
     #[inline(always)]
-    fn along(h: f64, stretch: f64, slower: f64, [start, end]: [Slowing; 2]) -> Self {
+    fn along(h: f64, stretch: f64, slower: f64, [(p, start), (q, end)]: [(f64, f64); 2]) -> Self {
         let reach = h * stretch;
-        let (p, q) = (start.rate, end.rate);
-        let carry_start = 0.5 - p * 0.1 - (start.change - 2.0 * p * p) * (1.0 / 120.0);
-        let carry_end = (0.5 + q * 0.1 - (end.change - 2.0 * q * q) * (1.0 / 120.0)) * slower;
+        let carry_start = 0.5 - p * 0.1 - (start - 2.0 * p * p) * (1.0 / 120.0);
+        let carry_end = (0.5 + q * 0.1 - (end - 2.0 * q * q) * (1.0 / 120.0)) * slower;
         let lift = h * (carry_end * reach) - h * h * ((p + q) * (1.0 / 120.0));
         Self { reach, slower, carry: h * (carry_start + carry_end), lift, fits: true }
     }
-}
-
-/// s and σ at an end of a step, by its time: h·s and h²·σ.
-#[derive(Clone, Copy)]
-struct Slowing {
-    rate: f64,
-    change: f64,
 }
 
 #[inline(always)]
@@ -71,7 +63,7 @@ fn box_step(h: f64, v: DVec2, a: DVec2, drag: &Drag) -> AirStep {
     let reach = h * stretch;
     let corner = (tall * (v.x * (v.x + a.x * reach)) < 0.0) | (wide * (v.y * (v.y + a.y * reach)) < 0.0);
     let fits = !((p > LIGHT) | (eager > LIGHT * LIGHT) | corner);
-    AirStep { fits, ..AirStep::along(h, stretch, slower, [Slowing { rate: p, change: z }, Slowing { rate: end, change: z }]) }
+    AirStep { fits, ..AirStep::along(h, stretch, slower, [(p, z), (end, z)]) }
 }
 
 #[inline(always)]
@@ -92,7 +84,7 @@ fn round_step(h: f64, v: DVec2, a: DVec2, round: f64) -> AirStep {
     let light = start > LIGHT || bend * bend * h * h * pull > LIGHT * LIGHT * LIGHT * LIGHT;
     let near = SHARP * h;
     let sharp = v.x * v.x + v.y * v.y < 2.0 * pull * (near * near) && bends(v, a);
-    let ends = [Slowing { rate: start, change: slope(v, start) }, Slowing { rate: end, change: slope(last, end) }];
+    let ends = [(start, slope(v, start)), (end, slope(last, end))];
     AirStep { fits: !light && !sharp, ..AirStep::along(h, stretch, slower, ends) }
 }
 

@@ -86,7 +86,6 @@ impl Linked {
         (x, v)
     }
 
-    /// The rates in the pose `at`.
     fn rates_in(&self, media: &Media, bodies: &[Body]) -> LinkedState {
         if self.held {
             return [DVec2::ZERO, DVec2::ZERO, self.force];
@@ -115,7 +114,6 @@ pub(crate) fn little(stiffness: f64, place: DVec2) -> f64 {
     rounding(stiffness, place) + stiffness * LINKED_ROUNDING
 }
 
-/// A link of the group that flies.
 #[derive(Clone, Debug)]
 pub(crate) struct Pull {
     pub link: u32,

@@ -13,18 +13,13 @@ struct Swimmer<'a> {
     law: &'a Law,
 }
 
-/// The media at a place, and the constant acceleration there, m/s².
+/// The media at a place, and the accelerations there: the constant one, and that with buoyancy, m/s².
 struct Surroundings {
     bath: Bath,
     constant: DVec2,
+    free: DVec2,
     /// Whether a liquid bears its weight: the vertical accelerations then balance exactly.
     floats: bool,
-}
-
-impl Surroundings {
-    fn free(&self) -> DVec2 {
-        DVec2::new(self.constant.x, self.constant.y - self.bath.lift)
-    }
 }
 
 enum FlightKind {
@@ -154,7 +149,7 @@ impl<'a> Swimmer<'a> {
             constant.y = bath.lift;
             (bath.stiffness, bath.waves) = (0.0, 0.0);
         }
-        Surroundings { bath, constant, floats }
+        Surroundings { bath, constant, free: DVec2::new(constant.x, constant.y - bath.lift), floats }
     }
 
     /// The most steps of `t` seconds; [`Swimmer::leap`] leads through the rest, or at once where a rough course soon has the speed of its place.
@@ -217,7 +212,7 @@ impl<'a> Swimmer<'a> {
     }
 
     fn kind(&self, place: &Surroundings, v: DVec2) -> FlightKind {
-        let (bath, free) = (&place.bath, place.free());
+        let (bath, free) = (&place.bath, place.free);
         let same_around = self.regime.displaced.is_same_around();
         if same_around && let Some(velocity) = settled(bath, free, v) {
             return FlightKind::Settled(velocity);
@@ -230,7 +225,7 @@ impl<'a> Swimmer<'a> {
 
     /// One step of at most `h` of the `left` seconds.
     fn take(&self, place: &Surroundings, pose: Pose, h: f64, left: f64) -> Course {
-        let (regime, bath, constant, free) = (&self.regime, &place.bath, place.constant, place.free());
+        let (regime, bath, constant, free) = (&self.regime, &place.bath, place.constant, place.free);
         match self.kind(place, pose.1) {
             FlightKind::Settled(velocity) => take_exact(regime, pose, left, |t| (pose.0 + velocity * t, velocity)),
             FlightKind::Air(longest) => take_exact(regime, pose, left.min(longest), |t| fly_through(pose, free, &bath.drag, t)),

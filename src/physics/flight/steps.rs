@@ -3,9 +3,8 @@
 //! ([`crate::physics::forces::displaced`]), or a turn, where a component of the velocity changes its sign (|u|·u has a corner at 0) that matters.
 
 use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, Quintic, earliest};
-use crate::physics::flight::implicit;
-use crate::physics::forces::displaced::Displaced;
 use crate::physics::forces::liquid::{Bath, Regime, Slopes, Vertical};
+use crate::physics::{flight::implicit, forces::displaced::Displaced};
 use glam::{DVec2, DVec4};
 use std::array::from_fn;
 use std::ops::{Add, AddAssign, Mul};
@@ -162,7 +161,6 @@ pub(crate) struct Step {
 }
 
 impl Step {
-    /// Of a body that keeps to the vertical at `x`.
     fn along(x: f64, (y, v): (f64, f64), pull: f64, error: f64) -> Self {
         Self { end: (DVec2::new(x, y), DVec2::new(0.0, v)), pull: DVec2::new(0.0, pull), error }
     }
@@ -200,43 +198,15 @@ pub(crate) fn bob_side_by_side(of: &[Bob; 4], h: f64) -> [Step; 4] {
     from_fn(|k| Step::along(of[k].x.x, (y[k], v[k]), last[k], way[k].abs().max(speed[k].abs())))
 }
 
-/// Velocities and accelerations at the stages of a step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Stages {
-    speeds: [DVec2; 7],
-    pulls: [DVec2; 7],
-}
-
-impl Stages {
-    pub fn new(speed: DVec2, pull: DVec2) -> Self {
-        Self { speeds: [speed; 7], pulls: [pull; 7] }
-    }
-
-    /// How far from its begin a stage of a step of `h` seconds is, and how fast.
-    #[inline(always)]
-    pub fn at(&self, weights: &[f64], h: f64) -> Pose {
-        (sum(&self.speeds, weights) * h, self.speeds[0] + sum(&self.pulls, weights) * h)
-    }
-
-    #[inline(always)]
-    pub fn take(&mut self, stage: usize, speed: DVec2, pull: DVec2) {
-        (self.speeds[stage], self.pulls[stage]) = (speed, pull);
-    }
-
-    /// m.
-    #[inline(always)]
-    pub fn error(&self, weights: &[f64], h: f64) -> f64 {
-        (sum(&self.speeds, weights) * h).abs().max((sum(&self.pulls, weights) * (h * h)).abs()).max_element()
-    }
-}
-
 /// A body's part of a step of several.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CoupledStep {
     pub start: Pose,
     /// How far from there it is at the present stage, and how fast: bodies that move as one have the same bits, whatever their places.
     pub end: Pose,
-    pub stages: Stages,
+    /// At the stages of the step.
+    speeds: [DVec2; 7],
+    pulls: [DVec2; 7],
     /// The acceleration at the present stage, m/s².
     pull: DVec2,
     /// Whether an acceleration differs from the first.
@@ -245,13 +215,24 @@ pub(crate) struct CoupledStep {
 
 impl CoupledStep {
     pub fn new(start: Pose, pull: DVec2) -> Self {
-        Self { start, end: (DVec2::ZERO, start.1), stages: Stages::new(start.1, pull), pull, bends: false }
+        Self { start, end: (DVec2::ZERO, start.1), speeds: [start.1; 7], pulls: [pull; 7], pull, bends: false }
+    }
+
+    /// Goes to a stage of a step of `h` seconds.
+    #[inline(always)]
+    pub fn go_to(&mut self, weights: &[f64], h: f64) {
+        self.end = (sum(&self.speeds, weights) * h, self.speeds[0] + sum(&self.pulls, weights) * h);
     }
 
     pub fn take(&mut self, stage: usize, pull: DVec2) {
-        self.stages.take(stage, self.end.1, pull);
-        self.pull = pull;
-        self.bends |= pull != self.stages.pulls[0];
+        (self.speeds[stage], self.pulls[stage], self.pull) = (self.end.1, pull, pull);
+        self.bends |= pull != self.pulls[0];
+    }
+
+    /// m.
+    #[inline(always)]
+    pub fn error(&self, weights: &[f64], h: f64) -> f64 {
+        (sum(&self.speeds, weights) * h).abs().max((sum(&self.pulls, weights) * (h * h)).abs()).max_element()
     }
 
     pub fn pose(&self) -> Pose {
@@ -260,9 +241,9 @@ impl CoupledStep {
 
     /// The path through both ends of `h` seconds, from a time on, with the accelerations there; a cubic where contacts change just before the end.
     pub fn course(&self, since: f64, h: f64, changes: bool) -> Quintic {
-        let Self { start: (x, v), end: (way, w), stages, .. } = *self;
+        let Self { start: (x, v), end: (way, w), .. } = *self;
         let b = if changes { (6.0 * way / h - 2.0 * v - 4.0 * w) / -h } else { self.pull };
-        Quintic::through(since, [x, v, stages.pulls[0]], [way, w, b], h)
+        Quintic::through(since, [x, v, self.pulls[0]], [way, w, b], h)
     }
 }
 

@@ -129,9 +129,6 @@ impl Cut {
     fn width(&self, apart: DVec2) -> f64 {
         positive(self.extent.length.x + self.extent.slope.x * apart.x)
     }
-    fn depth(&self, apart: DVec2) -> f64 {
-        positive(self.extent.length.y + self.extent.slope.y * apart.y)
-    }
 
     pub fn waves_along(&self, x: f64) -> Waves {
         let width = self.width(DVec2::new(x, 0.0));
@@ -144,7 +141,8 @@ impl Cut {
 
     /// How the damping of its waves per C_d changes with the place, 1/(m·s).
     pub fn slope_of_waves(&self, apart: DVec2) -> DVec2 {
-        let (width, deep, under) = (self.width(apart), self.depth(apart), LinearLaw(self.under, self.sinks).at(apart.y).min(1.0));
+        let depth = LinearLaw(self.extent.length.y, self.extent.slope.y);
+        let (width, deep, under) = (self.width(apart), depth.at(apart.y), LinearLaw(self.under, self.sinks).at(apart.y).min(1.0));
         if width == 0.0 || deep == 0.0 || under == 0.0 || under == 1.0 {
             return DVec2::ZERO;
         }
@@ -247,16 +245,15 @@ impl Displaced {
     /// Adds the area inside a liquid, m², and that times density and viscosity.
     fn add(&mut self, media: &Media, body: &Body, index: u32) {
         let fluid = &media.fluids[index as usize];
-        if let Some(sides) = Outer::of(body, fluid, self.within) {
-            let extent = sides.extent(body, fluid, self.centre);
-            self.fraction.add(1.0, &extent);
-            self.density.add(fluid.density, &extent);
-            self.linear.add(fluid.viscosity, &extent);
-            match self.surface(media, body, fluid) {
-                Some(_) if self.cut.is_some() => self.more = self.more.with(index),
-                Some(cut) => self.cut = Some(cut),
-                None => {}
-            }
+        let Some(sides) = Outer::of(body, fluid, self.within) else { return };
+        let extent = sides.extent(body, fluid, self.centre);
+        self.fraction.add(1.0, &extent);
+        self.density.add(fluid.density, &extent);
+        self.linear.add(fluid.viscosity, &extent);
+        match self.surface(media, body, fluid) {
+            Some(_) if self.cut.is_some() => self.more = self.more.with(index),
+            Some(cut) => self.cut = Some(cut),
+            None => {}
         }
     }
 
@@ -288,7 +285,6 @@ impl Displaced {
         })
     }
 
-    /// The surface that cuts the body, if it is the only one.
     pub fn only_cut(&self) -> Option<&Cut> {
         self.cut.as_ref().filter(|_| self.more.is_empty())
     }

@@ -1,4 +1,4 @@
-//! The kinds of force, and their sources. A kind is a line here; its colour stands in `instruments/look.rs`, its arrow in `view/arrows.rs`.
+//! The kinds of force, and their sources. A kind is a line here; its colour stands in `instruments/chart.rs`, its arrow in `view/scale.rs`.
 
 use crate::physics::data::body::BodyId;
 
@@ -94,7 +94,6 @@ pub enum Source {
 }
 
 impl Source {
-    /// Itself as a number.
     pub(crate) const fn number(self) -> u64 {
         let (kind, index) = match self {
             Self::Gravity => (0, 0),
@@ -110,7 +109,6 @@ impl Source {
         (kind << 32) | index as u64
     }
 
-    /// Whether it is a stream or a field, which a body enters and leaves.
     pub(crate) const fn is_zone(self) -> bool {
         matches!(self, Self::Stream(_) | Self::Field(_))
     }

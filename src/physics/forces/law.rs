@@ -1,11 +1,9 @@
 //! The law by which a body moves that touches nothing: constant forces, drag and buoyancy.
 
 use crate::physics::data::{Aabb, Body, FluidDef, Part, Pose, WAVES, called};
-use crate::physics::forces::displaced::{Displaced, STOKES};
 use crate::physics::forces::liquid::{Regime, Stiffness, dry, sure};
-use crate::physics::forces::{
-    air::Drag, kind::ForceKind, kind::Source, manager::Force, manager::ForceManager, media::Media, media::fall,
-};
+use crate::physics::forces::{air::Drag, displaced::Displaced, displaced::STOKES, kind::ForceKind, kind::Source, media::Media};
+use crate::physics::forces::{manager::Force, manager::ForceManager, media::fall};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, Default)]

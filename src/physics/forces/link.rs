@@ -93,8 +93,7 @@ pub struct Link {
 }
 
 impl Link {
-    /// # Errors
-    /// What [`LinkDef`] cannot be; links too stiff for a body, all of its `others` together.
+    /// Refuses what [`LinkDef`] cannot be, and links too stiff for a body, all of its `others` together.
     pub(crate) fn new(def: LinkDef, bodies: &[Body], others: &[Self]) -> Result<Self, DefError> {
         def.check(bodies)?;
         let mut law = def.law;

@@ -129,14 +129,9 @@ impl<'a> Regime<'a> {
     pub fn bath(&self, x: DVec2) -> Bath {
         let (displaced, apart) = (&self.displaced, self.displaced.apart(x));
         let (wet, dry) = self.densities(apart);
-        Bath {
-            fraction: displaced.fraction.at(apart),
-            drag: self.drag.scaled(wet + dry),
-            linear: displaced.linear.at(apart),
-            waves: self.damping(apart),
-            lift: self.lift * wet,
-            stiffness: displaced.over_cuts(self.media, self.body, |cut| cut.stiffness(apart)),
-        }
+        let (fraction, linear) = (displaced.fraction.at(apart), displaced.linear.at(apart));
+        let stiffness = displaced.over_cuts(self.media, self.body, |cut| cut.stiffness(apart));
+        Bath { fraction, drag: self.drag.scaled(wet + dry), linear, waves: self.damping(apart), lift: self.lift * wet, stiffness }
     }
 
     /// Acceleration at `x` with velocity `v` by media and `constant`, m/s²: [`Bath::acceleration`] for integrators.

@@ -1,8 +1,7 @@
 //! The media of a world, and weight: m·g downwards. A weightless body has none.
 
 use crate::physics::data::{Aabb, Body, Cubic, FieldDef, FluidDef, Part, Pose, StreamDef, called};
-use crate::physics::forces::manager::ForceManager;
-use crate::physics::forces::zones::{FAR, Stream, ZoneList, border};
+use crate::physics::forces::{manager::ForceManager, zones::FAR, zones::Stream, zones::ZoneList, zones::border};
 use glam::DVec2;
 use std::cell::Cell;
 

@@ -84,14 +84,11 @@ pub(crate) fn feels(zone: &Aabb, body: &Body, (position, velocity): Pose) -> boo
 
 /// Whether a body that sweeps this box surely stays on its side of a border: `inside`, or out of it.
 pub(crate) fn stays(swept: &Aabb, half: DVec2, zone: &Aabb, inside: bool) -> bool {
-    if inside {
-        let reaches = |axis: usize| {
-            swept.min[axis] + 2.0 * half[axis] > zone.min[axis] + FAR && swept.max[axis] - 2.0 * half[axis] < zone.max[axis] - FAR
-        };
-        reaches(0) && reaches(1)
-    } else {
-        !swept.touches(zone, FAR)
-    }
+    let reaches = || {
+        let (low, high) = (swept.min + 2.0 * half, swept.max - 2.0 * half);
+        low.cmpgt(zone.min + FAR).all() && high.cmplt(zone.max - FAR).all()
+    };
+    if inside { reaches() } else { !swept.touches(zone, FAR) }
 }
 
 /// When a body enters a zone or, from `inside`, leaves it. A body at the border has crossed it once it is clear of it.
