@@ -1,9 +1,7 @@
 //! How a world begins, and the refusals at the door: no number that is accepted becomes non-finite.
 
-use crate::physics::data::domain::{
-    self, DefError, LIQUIDS_OVERLAP, MOST_LIQUIDS, MOST_ZONES, Range, SMALLEST, at_most, both, expect, material, number, rectangle,
-    restitution, vector, within,
-};
+use crate::physics::data::domain::{self, DefError, LIQUIDS_OVERLAP, MOST_LIQUIDS, MOST_ZONES, Range, SMALLEST};
+use crate::physics::data::domain::{at_most, both, expect, material, number, rectangle, restitution, vector, within};
 use crate::physics::data::{aabb::Aabb, body::BodyDef, link::LinkDef, material::Material, surface::SurfaceDef};
 use glam::DVec2;
 

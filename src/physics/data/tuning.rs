@@ -48,8 +48,7 @@ pub(crate) const MOST_BENDS: usize = 512;
 /// m. A swing of linked bodies no wider than this is rest. Smaller: what hangs never falls asleep; larger: it stops beside its balance.
 pub(crate) const LINKED_ROUNDING: f64 = 1e-12;
 
-/// Rate × time from which on a step through a liquid is implicit, where drag has taken the body to the speed that its place gives it. Smaller:
-/// more steps are implicit that explicit ones take for less; larger: more that their stability cuts short.
+/// Rate × time from which steps through a liquid at the speed of the place are implicit. Smaller: more work; larger: stability cuts more short.
 pub(crate) const HEAVY_REACH: f64 = 4.0;
 
 /// Rate × time of one Runge–Kutta step, at most, of what bobs: its stability ends at 1.0.
@@ -62,8 +61,7 @@ pub(crate) const WAVES: f64 = 0.15;
 /// would never end. Larger: they use up the budget of events of their island; smaller: fast bodies in a narrow gap lose speed.
 pub(crate) const MOST_BOUNCES: u32 = 128;
 
-/// s. Bounces that take no longer go on as one train. Longer: other things come near more trains, and end them; shorter: more bounces are events of
-/// their own, which at a long tick use up the budget of their island.
+/// s. Bounces that take no longer go on as one train. Longer: other things end more trains; shorter: more events, which use up the island's budget.
 pub(crate) const SHORT_BOUNCE: f64 = 1.0 / 256.0;
 
 /// Hits to come in a tick of something without loss between two others that make a train. More: they use up the island's budget; fewer: no gain.
@@ -86,8 +84,7 @@ pub(crate) const DAMPED_REACH: f64 = 0.1;
 /// Larger: the worst tick lasts longer; smaller: a crowd's step takes ticks into which fewer impacts fall.
 pub(crate) const EVENTS_OF_A_BODY: u64 = 32;
 
-/// m. How far a cubic may be beside the flow that it follows, and so how deep two bodies are in each other that meet on such ways. Larger: a body
-/// that rises through a surface is met beside its way; smaller: ways are foreseen in more parts.
+/// m. How far a cubic may be beside the flow that it follows, and how deep bodies meet. Larger: beside their ways; smaller: ways of more parts.
 pub(crate) const STRAY: f64 = 1e-5;
 
 /// Relative difference up to which two approach speeds at one instant are equal. Smaller: the rounding of a place decides which impact is first.

@@ -41,22 +41,14 @@ pub(crate) enum EventKind {
     /// Nothing before the end of the tick.
     Nothing,
     /// It meets another item along an axis; `ascending` if that has the larger coordinate.
-    Hit {
-        other: u32,
-        axis: usize,
-        ascending: bool,
-    },
-    Stop {
-        other: u32,
-    },
+    Hit { other: u32, axis: usize, ascending: bool },
+    /// Its slide over another item ends.
+    Stop { other: u32 },
     /// Its contact with another item ends, because they no longer face each other.
-    Edge {
-        other: u32,
-    },
+    Edge { other: u32 },
     /// Its contact with another item begins: both are flush, and face each other from now on. Or one comes near the train of the other.
-    Begin {
-        other: u32,
-    },
+    Begin { other: u32 },
+    /// It crosses the border of a stream.
     Border,
     /// Its path is foreseen up to here.
     Renew,

@@ -1,7 +1,6 @@
 //! The method of events. Every item of an island (bodies, and the surfaces near them) has a path and a next event of its own; an event ends the paths
-//! of the items that it concerns and of no other (local clocks: Alder and Wainwright 1959). They are brought to its instant (`contacts`), impacts are
-//! resolved (`impacts`), contacts and accelerations follow (`motions`), and the next events are sought (`predict`). Too many leave the tick to the crowd
-//! step.
+//! of the items that it concerns and of no other (local clocks: Alder and Wainwright 1959): they are brought to its instant (`contacts`), `impacts` are
+//! resolved, contacts and `motions` follow, and next events are sought (`predict`). With too many of them the crowd step takes the island's tick.
 
 pub(crate) mod contacts;
 pub(crate) mod coupled;

@@ -1,8 +1,7 @@
 //! The next event of an item, on the paths that have been foreseen (`docs/physics.md`, From event to event; Lubachevsky 1991).
 
-use crate::physics::data::{
-    Aabb, Contact, Cubic, MICRO_SPEED, MOST_BORDERS, Polynomial, SLOP, SPEED_TOLERANCE, Sides, earliest, time_of_impact,
-};
+use crate::physics::data::tuning::{MICRO_SPEED, MOST_BORDERS, SLOP, SPEED_TOLERANCE};
+use crate::physics::data::{Aabb, Contact, Cubic, Polynomial, Sides, earliest, time_of_impact};
 use crate::physics::exact::{events::Events, events::Scene, item::EventKind, item::Next, item::Travel};
 use crate::physics::forces::zones;
 use glam::DVec2;

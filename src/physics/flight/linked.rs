@@ -1,10 +1,8 @@
 //! Linked bodies fly together: the modified midpoint rule (Gragg 1965), extrapolated to order 16 at most (Bulirsch and Stoer 1966), over all of a
 //! group. No step crosses an instant at which a law bends (a rope becomes taut or slack, a magnet is at its nearest) or a link breaks.
 
-use crate::physics::data::{
-    Aabb, BALANCED, Body, Cubic, LINKED_ROUNDING, LINKED_TOLERANCE, LONGEST_SHORT, LinkLaw, MOST_BENDS, Pose, SHORTEST_LINKED,
-    parabola,
-};
+use crate::physics::data::tuning::{BALANCED, LINKED_ROUNDING, LINKED_TOLERANCE, LONGEST_SHORT, MOST_BENDS, SHORTEST_LINKED};
+use crate::physics::data::{Aabb, Body, Cubic, LinkLaw, Pose, parabola};
 use crate::physics::forces::{Law, Link, Media};
 use glam::DVec2;
 
