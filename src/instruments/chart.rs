@@ -222,7 +222,7 @@ fn fitted(fit: &Fit, up: &Linear) -> Piece {
 
 /// The times of impacts, s; over anything but time they are the curve's breaks.
 fn impacts(shown: &[&Exported], across: Quantity, window: TimeWindow) -> Vec<f64> {
-    let times = shown.iter().flat_map(|exported| exported.track.impacts().iter().map(|place| exported.track.time(*place)));
+    let times = shown.iter().flat_map(|exported| exported.track.impacts.iter().map(|place| exported.track.time(*place)));
     let mut times: Vec<f64> = times.filter(|time| across == Quantity::Time && *time >= window.0 && *time <= window.1).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();

@@ -31,7 +31,7 @@ impl Curve {
             self.ys.push(self.up.of(&moment));
         }
         if self.up.jumps() || self.across.jumps() {
-            let new = track.impacts().iter().copied().filter(|place| *place >= known.max(1));
+            let new = track.impacts.iter().copied().filter(|place| *place >= known.max(1));
             self.breaks.extend(new);
         }
     }
@@ -261,8 +261,8 @@ mod tests {
     #[test]
     fn slopes_and_areas_are_those_of_mechanics() {
         let track = hop(400);
-        assert!(!track.impacts().is_empty(), "it comes down again");
-        let landing = track.impacts()[0];
+        assert!(!track.impacts.is_empty(), "it comes down again");
+        let landing = track.impacts[0];
         let (y, v) = (Quantity::Y, Quantity::Velocity(VectorPart::Y));
         let (height, speed) = (curve(&track, Quantity::Time, y), curve(&track, Quantity::Time, v));
         let gained = height.point(landing - 1).unwrap().1 - height.point(0).unwrap().1;
@@ -270,7 +270,7 @@ mod tests {
         for place in [30, 150, landing - 1] {
             let moment = track.moment(place);
             assert_eq!(speed.slope(&track, place), Some(moment.acceleration.y));
-            let differences = (speed.point(place).unwrap().1 - speed.point(place - 1).unwrap().1) * track.tick_rate();
+            let differences = (speed.point(place).unwrap().1 - speed.point(place - 1).unwrap().1) * track.rate;
             assert!((differences - moment.acceleration.y).abs() < 0.1, "{place}: {differences} {}", moment.acceleration.y);
         }
         // Work is the area under the force along the path.
@@ -296,8 +296,8 @@ mod tests {
         let change = first.constants.mass * (last.velocity.y - first.velocity.y);
         assert!(impulses > 0.0 && (forces + impulses - change).abs() <= 1e-9 * impulses, "{forces} and {impulses} for {change}");
         // Where nothing is hit and nothing switched, the trapezoids come to the same.
-        let (force, landing) = (curve(&track, Quantity::Time, Quantity::Resultant(VectorPart::Y)), track.impacts()[0]);
-        let trapezoids = |i: usize| (force.point(i).unwrap().1 + force.point(i + 1).unwrap().1) / (2.0 * track.tick_rate());
+        let (force, landing) = (curve(&track, Quantity::Time, Quantity::Resultant(VectorPart::Y)), track.impacts[0]);
+        let trapezoids = |i: usize| (force.point(i).unwrap().1 + force.point(i + 1).unwrap().1) / (2.0 * track.rate);
         let in_flight: f64 = (61..landing - 1).map(trapezoids).sum();
         let exact = force.area(&track, 61, landing - 1);
         assert!((exact - in_flight).abs() <= 1e-6 * in_flight.abs(), "{exact} {in_flight}");
@@ -307,16 +307,16 @@ mod tests {
     #[test]
     fn an_impact_breaks_what_jumps_and_nothing_else() {
         let track = hop(400);
-        let landing = track.impacts()[0];
+        let landing = track.impacts[0];
         let ways = |up| curve(&track, Quantity::Time, up).drawn(0..track.len(), (0.0, 0.0));
         assert_eq!(ways(Quantity::Y).len(), 1);
         let speed = ways(Quantity::Velocity(VectorPart::Y));
-        assert_eq!(speed.len(), 1 + track.impacts().len());
+        assert_eq!(speed.len(), 1 + track.impacts.len());
         assert_eq!((speed[0].len(), speed[1][0].0), (landing, track.time(landing)));
         // Forces have no rate: their slope is a difference, which never reaches over a break.
         let force = curve(&track, Quantity::Time, Quantity::Resultant(VectorPart::Y));
         let slope = force.slope(&track, landing - 1).unwrap();
-        let one_sided = (force.point(landing - 1).unwrap().1 - force.point(landing - 2).unwrap().1) * track.tick_rate();
+        let one_sided = (force.point(landing - 1).unwrap().1 - force.point(landing - 2).unwrap().1) * track.rate;
         assert!((slope - one_sided).abs() <= 1e-9 * (1.0 + one_sided.abs()), "{slope} {one_sided}");
     }
 

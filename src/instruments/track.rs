@@ -25,7 +25,8 @@ pub struct BodyTrack {
     /// From which place on they hold, since the level may be varied during the flight.
     constants: Vec<(usize, BodyConstants)>,
     begins: u64,
-    rate: f64,
+    /// Ticks a second.
+    pub rate: f64,
     position: Vec<DVec2>,
     velocity: Vec<DVec2>,
     acceleration: Vec<DVec2>,
@@ -34,8 +35,8 @@ pub struct BodyTrack {
     forces: [Vec<DVec2>; ForceKind::ALL.len()],
     /// The impulses of each tick, up to the last one that had any, N·s.
     impulses: Vec<DVec2>,
-    /// The places of the ticks with an impact.
-    impacts: Vec<usize>,
+    /// The places of the ticks with an impact, in order.
+    pub impacts: Vec<usize>,
 }
 
 impl BodyTrack {
@@ -75,10 +76,6 @@ impl BodyTrack {
         (tick.saturating_sub(self.begins) as usize).min(self.len().saturating_sub(1))
     }
 
-    pub const fn tick_rate(&self) -> f64 {
-        self.rate
-    }
-
     /// s.
     pub fn time(&self, place: usize) -> f64 {
         self.tick_of(place) as f64 / self.rate
@@ -107,11 +104,6 @@ impl BodyTrack {
     /// The impulses, tick by tick, N·s.
     pub fn impulses(&self) -> impl Iterator<Item = DVec2> + '_ {
         self.impulses.iter().copied()
-    }
-
-    /// The places of the ticks with an impact, in order.
-    pub fn impacts(&self) -> &[usize] {
-        &self.impacts
     }
 
     /// ∫ up dt from one place to another, exactly, where a law has it, also across impacts: of v by the places, of p by m·Δr, of the resultant
