@@ -77,7 +77,7 @@ impl SoundDesk {
         self.0.frames.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// `None` stops the music.
+    /// The tune before it fades; `None` stops the music.
     pub fn set_tune(&self, tune: Option<u32>) {
         self.0.tune.store(tune.map_or(0, |tune| tune.saturating_add(1)), Ordering::Relaxed);
     }
@@ -175,7 +175,7 @@ fn unpack(packed: u64) -> Sound {
 
 #[derive(Debug)]
 pub struct Speaker {
-    desk: SoundDesk,
+    pub desk: SoundDesk,
     /// Indexed by the cues' numbers.
     due: [Option<Sound>; Cue::COUNT],
     ambience: Ambience,
@@ -185,27 +185,14 @@ pub struct Speaker {
 
 impl Speaker {
     /// Plays on the system's device whenever there is one. Never waits, never fails.
-    pub fn new() -> Self {
+    pub fn start() -> Self {
         let (desk, feed) = desk();
-        Self { desk, due: [None; Cue::COUNT], ambience: Ambience::default(), _output: Some(Output::start(feed)) }
+        Self { _output: Some(Output::start(feed)), ..Self::at(desk) }
     }
 
     /// Plays to a desk with another reader.
     pub fn at(desk: SoundDesk) -> Self {
         Self { desk, due: [None; Cue::COUNT], ambience: Ambience::default(), _output: None }
-    }
-
-    pub fn set_volumes(&mut self, volumes: Volumes) {
-        self.desk.set_volumes(volumes);
-    }
-
-    /// The tune before it fades.
-    pub fn set_tune(&mut self, tune: Option<u32>) {
-        self.desk.set_tune(tune);
-    }
-
-    pub fn arrange(&mut self, how: Arrangement) {
-        self.desk.set_arrangement(how);
     }
 
     /// In this frame.
@@ -227,12 +214,6 @@ impl Speaker {
         for sound in self.due.iter_mut().filter_map(Option::take) {
             self.desk.play(sound);
         }
-    }
-}
-
-impl Default for Speaker {
-    fn default() -> Self {
-        Self::new()
     }
 }
 

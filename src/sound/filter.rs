@@ -26,7 +26,7 @@ impl WhiteNoise {
 /// A value that approaches its target exponentially: a step would be heard as a crack.
 #[derive(Clone, Copy, Debug)]
 pub struct Glide {
-    value: f32,
+    pub value: f32,
     /// The part of the difference that is left after a sample.
     keeps: f32,
 }
@@ -45,15 +45,6 @@ impl Glide {
             self.value = 0.0;
         }
         self.value
-    }
-
-    pub const fn value(&self) -> f32 {
-        self.value
-    }
-
-    /// Jumps to the value.
-    pub const fn set(&mut self, value: f32) {
-        self.value = value;
     }
 }
 
@@ -155,6 +146,6 @@ mod tests {
         for _ in 0..960 {
             glide.towards(1.0);
         }
-        assert!((glide.value() - 0.632).abs() < 0.01);
+        assert!((glide.value - 0.632).abs() < 0.01);
     }
 }

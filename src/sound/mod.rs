@@ -4,7 +4,6 @@
 //! of atomics, and the [`Mixer`] reads it and computes stereo samples from `voice`s (the cues' `recipe`s), the `bed` and the
 //! `music` below a `limiter`. An `output` takes them to a device on its own thread; without a device nothing reads the desk.
 
-mod bed;
 mod cue;
 mod desk;
 mod filter;

@@ -122,7 +122,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     words::note_system(Language::named(&host::language()));
     let mut pen = WindowPen::new(&art::sheet())?;
     let mut canvas = Canvas::new(Frame::default());
-    let mut spectator = WindowSpectator::new(Speaker::new());
+    let mut spectator = WindowSpectator::new(Speaker::start());
     let mut stack = Stack::with_worker(places, Worker::beside());
     stack.session.clipboard.of_system = true;
     match start {

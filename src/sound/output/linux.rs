@@ -11,7 +11,7 @@
 //! device is used by the one thread that opened it.
 #![allow(unsafe_code)]
 
-use super::why::Why;
+use super::player::Why;
 use crate::sound::{Feed, Mixer};
 use crate::system_library::{function, library};
 use std::ffi::{c_char, c_int, c_long, c_uint, c_ulong, c_void};
@@ -63,18 +63,11 @@ const BACK: f64 = 0.1;
 /// The share of the lead that is forgotten a block: clocks differ a little, and a device's own is the right one.
 const FORGETS: f64 = 0.002;
 
-/// The lead of the samples over the clock.
-#[derive(Debug, Default)]
-pub struct SamplePace {
-    lead: f64,
-}
-
 /// Writes blocks of a length (s) until `write` refuses one, at the pace of the clock (s) that `now` reads and `pause` lets pass.
 pub fn keep_pace(block: f64, mut write: impl FnMut() -> bool, now: impl Fn() -> f64, pause: impl Fn(Duration)) {
-    let mut pace = SamplePace::default();
-    let mut begun = now();
+    let (mut lead, mut begun) = (0.0, now());
     while write() {
-        let wait = pace.after(block, now() - begun);
+        let wait = after(&mut lead, block, now() - begun);
         if !wait.is_zero() {
             pause(wait);
         }
@@ -82,17 +75,13 @@ pub fn keep_pace(block: f64, mut write: impl FnMut() -> bool, now: impl Fn() -> 
     }
 }
 
-impl SamplePace {
-    /// The pause after a block of that length that took so long to compute and to write (both s).
-    fn after(&mut self, block: f64, taken: f64) -> Duration {
-        self.lead = ((self.lead + block - taken.max(0.0)) * (1.0 - FORGETS)).max(0.0);
-        if self.lead < AHEAD {
-            return Duration::ZERO;
-        }
-        let wait = self.lead - BACK;
-        self.lead = BACK;
-        Duration::from_secs_f64(wait)
+/// The pause after a block of that length that took so long to compute and to write (both s); `lead` is that of the samples over the clock.
+fn after(lead: &mut f64, block: f64, taken: f64) -> Duration {
+    *lead = ((*lead + block - taken.max(0.0)) * (1.0 - FORGETS)).max(0.0);
+    if *lead < AHEAD {
+        return Duration::ZERO;
     }
+    Duration::from_secs_f64(std::mem::replace(lead, BACK) - BACK)
 }
 
 /// Samples a second; the libraries convert them to the device's rate.
@@ -332,8 +321,8 @@ mod tests {
 
     #[test]
     fn what_takes_everything_gets_it_at_the_clocks_pace() {
-        let mut pace = SamplePace::default();
-        let waited: Duration = (0..1000).map(|_| pace.after(BLOCK, 0.0001)).sum();
+        let mut lead = 0.0;
+        let waited: Duration = (0..1000).map(|_| after(&mut lead, BLOCK, 0.0001)).sum();
         assert!((9.0..10.0).contains(&waited.as_secs_f64()), "{waited:?}");
     }
 
@@ -354,9 +343,9 @@ mod tests {
 
     #[test]
     fn a_device_whose_clock_is_fast_is_never_held_up() {
-        let mut pace = SamplePace::default();
+        let mut lead = 0.0;
         // Half a per cent fast for three hours; no device is worse than a fiftieth of that.
-        let waited: Duration = (0..1_000_000).map(|_| pace.after(BLOCK, BLOCK * 0.995)).sum();
+        let waited: Duration = (0..1_000_000).map(|_| after(&mut lead, BLOCK, BLOCK * 0.995)).sum();
         assert_eq!(waited, Duration::ZERO);
     }
 

@@ -2,14 +2,10 @@
 //! found at run time (the build needs nothing); on Windows and macOS through `cpal`; in a browser by the page's script. Other
 //! systems are silent.
 
-#[cfg(any(windows, target_os = "macos"))]
-mod cpal;
 #[cfg(target_os = "linux")]
 mod linux;
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 mod player;
-#[cfg(any(target_os = "linux", windows, target_os = "macos"))]
-mod why;
 
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 pub use player::Output;
