@@ -4,8 +4,8 @@
 use super::canvas::Canvas;
 use super::glyphs::Glyphs;
 use super::layout::{Frame, Vec2};
+use super::raster::Soft;
 use super::shape::{Colour, Image, MOST_QUADS, Painting, Quad, Shape};
-use super::soft::Soft;
 use super::text;
 use macroquad::camera::{Camera2D, set_camera};
 use macroquad::color::{Color, WHITE};

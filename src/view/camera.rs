@@ -285,21 +285,18 @@ impl StirredObjects {
     /// Takes up a tick: an object that the ship, or one of these objects, hits, pushes or pulls by a link is one of them.
     pub fn after_tick(&mut self, game: &Game) {
         let world = game.world();
-        for event in world.events() {
-            if let Event::Impact { a, b: Obstacle::Body(b), .. } = *event {
-                for (by, hit) in [(a, b), (b, a)] {
-                    if by == SHIP || self.has(by) {
-                        self.add(hit);
-                    }
-                }
-            }
-        }
-        for link in world.links().iter().filter(|link| link.acts()) {
-            if let LinkEnd::Body(b) = link.def().to {
-                for (by, pulled) in [(link.def().body, b), (b, link.def().body)] {
-                    if by == SHIP || self.has(by) {
-                        self.add(pulled);
-                    }
+        let hits = world.events().iter().filter_map(|event| match *event {
+            Event::Impact { a, b: Obstacle::Body(b), .. } => Some((a, b)),
+            _ => None,
+        });
+        let pulls = world.links().iter().filter(|link| link.acts()).filter_map(|link| match link.def().to {
+            LinkEnd::Body(b) => Some((link.def().body, b)),
+            LinkEnd::Place(_) => None,
+        });
+        for (a, b) in hits.chain(pulls) {
+            for (by, other) in [(a, b), (b, a)] {
+                if by == SHIP || self.has(by) {
+                    self.add(other);
                 }
             }
         }

@@ -246,7 +246,7 @@ mod tests {
     #[test]
     fn dust_grows_with_the_impact_and_stays_bounded() {
         let count = |speed: f64| {
-            let mut particles = Particles::new();
+            let mut particles = Particles::default();
             dust(&mut particles, DVec2::ZERO, DVec2::NEG_Y, speed);
             particles.all.len()
         };
@@ -257,7 +257,7 @@ mod tests {
     #[test]
     fn sparks_begin_on_the_outline() {
         let bounds = Aabb::new(DVec2::new(1.0, 2.0), DVec2::new(4.0, 3.0));
-        let mut particles = Particles::new();
+        let mut particles = Particles::default();
         for _ in 0..200 {
             let (p, out) = on_outline(&bounds, &mut particles);
             assert!(bounds.contains(&Aabb::new(p, p), 1e-9) && !bounds.contains(&Aabb::new(p + out * 0.01, p + out * 0.01), 0.0));

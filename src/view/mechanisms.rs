@@ -148,10 +148,8 @@ fn draw_pod(area: Area, canvas: &Canvas, time: f64) {
     canvas.rounded_edge(area, round, 2.5, theme::accent());
     let (middle, size) = (area.centre(), area.size.x.min(area.size.y) * 0.24);
     canvas.disc(middle + Vec2::new(0.0, size * 0.35), size * 0.8, theme::accent());
-    canvas.convex(
-        &[middle + Vec2::new(0.0, -size * 1.3), middle + Vec2::new(size * 0.72, 0.0), middle + Vec2::new(-size * 0.72, 0.0)],
-        theme::accent(),
-    );
+    let drop = [(0.0, -1.3), (0.72, 0.0), (-0.72, 0.0)].map(|(x, y)| middle + size * Vec2::new(x, y));
+    canvas.convex(&drop, theme::accent());
 }
 
 /// The solids that are no rock. `alpha` is the frame's place between the last tick but one and the last. With the `answer` (0 … 1) of a
@@ -251,12 +249,10 @@ fn draw_door(door: &Solid, open: f32, view: &Viewport, canvas: &Canvas) {
     canvas.rectangle(area, WORKS);
     let bars = (long / 14.0).floor().max(1.0);
     for bar in 0..bars as usize {
-        let at = piece(long / bars * (bar as f32 + 0.3), long / bars * 0.4);
-        canvas.rectangle(at, Colour::hex(0x22334A));
+        canvas.rectangle(piece(long / bars * (bar as f32 + 0.3), long / bars * 0.4), Colour::hex(0x22334A));
     }
     canvas.rectangle_edge(area, 2.0, edge_of(door.material));
-    let seam = piece(long * 0.5 - 1.5, 3.0);
-    canvas.rectangle(seam, theme::ground());
+    canvas.rectangle(piece(long * 0.5 - 1.5, 3.0), theme::ground());
 }
 
 /// The cap stands out above the plate until it is pressed.
@@ -336,8 +332,7 @@ fn draw_chevrons(bounds: &Aabb, (y, drift, side): (f64, f64, f64), (view, canvas
     if !strip.touches(&visible, 0.0) {
         return;
     }
-    let band = view.rect(&strip);
-    canvas.rectangle(band, Colour::hex(0x10151E));
+    canvas.rectangle(view.rect(&strip), Colour::hex(0x10151E));
     let mut x = bounds.min.x + drift;
     while x < bounds.max.x {
         let tip = DVec2::new(x + side * CHEVRON * 0.3, y);

@@ -17,7 +17,6 @@ pub mod labels;
 pub mod lanes;
 pub mod mechanisms;
 pub mod particles;
-pub mod pictures;
 pub mod scale;
 pub mod sky;
 pub mod terrain;
@@ -28,4 +27,4 @@ pub mod widgets;
 pub mod world;
 pub mod zones;
 
-pub use game_view::{GameView, GhostShip, Overlays};
+pub use game_view::{GameView, GhostShip, Overlays, painting};

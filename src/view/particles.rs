@@ -42,7 +42,7 @@ pub struct Particle {
     pub position: DVec2,
     /// m/s.
     pub velocity: DVec2,
-    /// Age at its death, s.
+    /// s.
     pub age: f32,
     /// Age at its death, s.
     pub life: f32,
@@ -73,14 +73,9 @@ impl Particle {
         }
     }
 
-    /// Whether solids stop it; wind blows through them.
-    fn stops(&self) -> bool {
-        self.look != ParticleLook::Streak
-    }
-
-    /// Moves it in a straight line to a point, or to the first solid before that, along which it goes on.
+    /// Moves it in a straight line to a point, or to the first solid before that, along which it goes on; wind blows through solids.
     fn go(&mut self, to: DVec2, barriers: &Barriers) {
-        let Some(stop) = barriers.stop(self.position, to).filter(|_| self.stops()) else {
+        let Some(stop) = barriers.stop(self.position, to).filter(|_| self.look != ParticleLook::Streak) else {
             self.position = to;
             return;
         };
@@ -90,23 +85,14 @@ impl Particle {
         self.velocity[axis] = 0.0;
     }
 
-    /// Rate of slowing, 1/s.
-    const fn drag(&self) -> f64 {
+    /// Rate of slowing, 1/s, and acceleration downwards, m/s²: smoke rises by its warmth, and a streak follows the stream.
+    const fn drag_and_weight(&self) -> (f64, f64) {
         match self.look {
-            ParticleLook::Plume => 1.6,
-            ParticleLook::Dust => 2.5,
-            ParticleLook::Spark => 0.5,
-            ParticleLook::Arrow => 2.0,
-            ParticleLook::Streak => 0.0,
-        }
-    }
-
-    /// Acceleration downwards, m/s²: smoke rises by its warmth, and a streak follows the stream.
-    const fn weight(&self) -> f64 {
-        match self.look {
-            ParticleLook::Spark => SPARK_WEIGHT,
-            ParticleLook::Dust => DUST_WEIGHT,
-            ParticleLook::Plume | ParticleLook::Streak | ParticleLook::Arrow => 0.0,
+            ParticleLook::Plume => (1.6, 0.0),
+            ParticleLook::Dust => (2.5, DUST_WEIGHT),
+            ParticleLook::Spark => (0.5, SPARK_WEIGHT),
+            ParticleLook::Arrow => (2.0, 0.0),
+            ParticleLook::Streak => (0.0, 0.0),
         }
     }
 }
@@ -120,10 +106,6 @@ pub struct Particles {
 }
 
 impl Particles {
-    pub fn new() -> Self {
-        Self { all: Vec::with_capacity(MOST), most: MOST, barriers: Barriers::default(), random: Pcg32::seed_from_u64(0x5245_5355) }
-    }
-
     /// A full pool drops the particle.
     pub fn add(&mut self, particle: Particle) {
         if self.all.len() < self.most {
@@ -148,7 +130,8 @@ impl Particles {
     pub fn advance(&mut self, frame_time: f64) {
         for particle in &mut self.all {
             particle.age += frame_time as f32;
-            let (drag, weight) = (particle.drag(), DVec2::new(0.0, particle.weight()));
+            let (drag, weight) = particle.drag_and_weight();
+            let weight = DVec2::new(0.0, weight);
             particle.go(particle.position + (particle.velocity + 0.5 * frame_time * weight) * frame_time, &self.barriers);
             particle.velocity = (particle.velocity + frame_time * weight) * (-drag * frame_time).exp();
         }
@@ -200,7 +183,7 @@ fn draw_arrow(particle: &Particle, colour: Colour, view: &Viewport, canvas: &Can
 
 impl Default for Particles {
     fn default() -> Self {
-        Self::new()
+        Self { all: Vec::with_capacity(MOST), most: MOST, barriers: Barriers::default(), random: Pcg32::seed_from_u64(0x5245_5355) }
     }
 }
 
@@ -308,7 +291,7 @@ mod tests {
         let bounds = Aabb::new(DVec2::new(-5.0, 2.0), DVec2::new(5.0, 2.2));
         let surfaces = vec![SurfaceDef::fixed(bounds, Material::STEEL)];
         let world = World::new(WorldDef { surfaces, ..WorldDef::default() }).expect("a valid world");
-        let mut pool = Particles::new();
+        let mut pool = Particles::default();
         pool.barriers = Barriers::new(&world, &Aabb::around(DVec2::ZERO, DVec2::splat(8.0)));
         let velocity = DVec2::new(0.5, 7.0);
         for look in [ParticleLook::Plume, ParticleLook::Dust, ParticleLook::Spark, ParticleLook::Streak] {
@@ -320,8 +303,8 @@ mod tests {
         }
         assert_eq!(pool.all.len(), 8);
         for particle in pool.all {
-            assert_eq!(particle.position.y < 2.0, particle.stops(), "{particle:?}");
-            assert!(!particle.stops() || particle.position.x > 0.5, "it goes on along the deck: {particle:?}");
+            assert_eq!(particle.position.y < 2.0, particle.look != ParticleLook::Streak, "{particle:?}");
+            assert!(particle.look == ParticleLook::Streak || particle.position.x > 0.5, "it goes on along the deck: {particle:?}");
         }
     }
 
@@ -334,7 +317,7 @@ mod tests {
             (ParticleLook::Streak, 0.0, 0.0),
         ] {
             for frames in [15, 60, 240] {
-                let mut pool = Particles::new();
+                let mut pool = Particles::default();
                 pool.add(particle(look, 2.0));
                 (0..frames).for_each(|_| pool.advance(1.0 / f64::from(frames)));
                 let fallen = pool.all[0].position.y;
@@ -345,7 +328,7 @@ mod tests {
 
     #[test]
     fn the_pool_never_exceeds_its_cap_and_empties_with_age() {
-        let mut pool = Particles::new();
+        let mut pool = Particles::default();
         for _ in 0..2 * MOST {
             pool.add(particle(ParticleLook::Dust, 0.5));
         }

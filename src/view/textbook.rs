@@ -45,9 +45,8 @@ pub struct NamedArrow {
 impl NamedArrow {
     /// Those of a body that count, and its resultant; none where that is zero.
     pub fn of(facts: &BodyFacts) -> (Vec<Self>, Option<Self>) {
-        let rows = || facts.rows.iter().filter_map(|row| Some((row, row.shown?, row.value)));
-        let vectors = rows().filter_map(|(row, shown, value)| match value {
-            Value::Vector(vector) => Some((row, shown, vector)),
+        let vectors = facts.rows.iter().filter_map(|row| match row.value {
+            Value::Vector(vector) => Some((row, row.shown?, vector)),
             Value::Scalar(_) => None,
         });
         let all: Vec<_> = vectors.collect();
@@ -59,13 +58,13 @@ impl NamedArrow {
             let size = vector.length();
             size > 0.0 && size >= NO_PART * largest(shown.is_impact())
         };
-        let mut named = all.iter().filter(counts).map(|(row, shown, vector)| Self {
+        let named = all.iter().filter(counts).map(|(row, shown, vector)| Self {
             shown: *shown,
             vector: *vector,
             name: row.label(),
             value: scalar(vector.length(), row.unit),
         });
-        let (resultant, forces): (Vec<Self>, Vec<Self>) = named.by_ref().partition(|named| named.shown == ArrowKind::Resultant);
+        let (resultant, forces): (Vec<Self>, Vec<Self>) = named.partition(|named| named.shown == ArrowKind::Resultant);
         (forces, resultant.into_iter().next())
     }
 }
@@ -136,14 +135,7 @@ pub fn lay_out(
     (line, width): (f32, &dyn Fn(&str) -> f32),
 ) -> PictureLayout {
     let mut laid = PictureLayout::default();
-    let arrow = |row: usize, shown: ArrowKind, from: Vec2, to: Vec2, to_scale: bool| Arrow {
-        body: BodyId(0),
-        row,
-        shown,
-        from,
-        to,
-        to_scale,
-    };
+    let arrow = |row, shown, from, to, to_scale| Arrow { body: BodyId(0), row, shown, from, to, to_scale };
     let along = |force: &NamedArrow| force.vector.normalize_or_zero().as_vec2();
     for (row, force) in forces.iter().enumerate() {
         let way = along(force);

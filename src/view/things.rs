@@ -5,9 +5,8 @@
 //! The wreck of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own: the game does not
 //! change.
 
-use super::art::{self, Tile};
+use super::art::{self, Pictures, Tile};
 use super::camera::Viewport;
-use super::pictures::Pictures;
 use super::theme;
 use super::zones::diamond;
 use crate::draw::layout::{Area, DETAILS, Vec2};
@@ -126,14 +125,9 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, vie
             let spread = (whole / length).sqrt().min(FLAME_SPREAD);
             let root = centre + right * side - nose * (out * way);
             let middle = root - nose * (way * length * 0.5);
-            art::draw(
-                canvas,
-                Tile::Glow,
-                Area::around(view.point(middle), Vec2::splat(view.length(2.2 * length))),
-                0.0,
-                Colour::hex(0xFF9F1C).faded(0.35),
-            );
-            let turn = if way > 0.0 { rotation } else { rotation + std::f64::consts::PI };
+            let glow = Area::around(view.point(middle), Vec2::splat(view.length(2.2 * length)));
+            art::draw(canvas, Tile::Glow, glow, 0.0, Colour::hex(0xFF9F1C).faded(0.35));
+            let turn = if way > 0.0 { rotation } else { rotation + PI };
             let size = Vec2::new(view.length(0.75 * size * spread), view.length(length));
             art::draw(canvas, Tile::Flame, Area::around(view.point(middle), size), turn as f32, Colour::WHITE);
         }
@@ -247,12 +241,10 @@ fn landing(events: &[Event]) -> Option<Landing> {
     let hits = events.iter().filter_map(|event| match *event {
         Event::Impact { a, b, point, speed, normal } => {
             // The normal points away from the hit body: up, where the ship is `a`.
-            let up = if a == SHIP {
-                -normal.y
-            } else if b == Obstacle::Body(SHIP) {
-                normal.y
-            } else {
-                0.0
+            let up = match b {
+                _ if a == SHIP => -normal.y,
+                Obstacle::Body(SHIP) => normal.y,
+                _ => 0.0,
             };
             (up > 0.5).then_some(Landing { point, speed })
         }

@@ -147,7 +147,7 @@ pub fn graph_paper(canvas: &Canvas) {
 /// Darkens everything so far and starts a layer above it.
 pub fn curtain(canvas: &Canvas, alpha: f32) {
     canvas.end_layer();
-    canvas.rectangle(Area::new(0.0, 0.0, canvas.size().x, canvas.size().y), theme::ground().faded(alpha));
+    canvas.rectangle(canvas.frame().area(), theme::ground().faded(alpha));
 }
 
 /// Between neighbours in a row, in radii.

@@ -7,10 +7,10 @@
 //!
 //! Links between bodies and places: a coil, a rope that hangs where it is slack, field lines.
 
+use super::art::Pictures;
 use super::camera::Viewport;
 use super::mechanisms::movers;
-use super::pictures::Pictures;
-use super::terrain::Terrain;
+use super::terrain::{Terrain, parts};
 use super::things::ellipse;
 use super::{sky, theme};
 use crate::draw::layout::{Area, DETAILS, MONO_ADVANCE, Vec2, text_room};
@@ -92,7 +92,7 @@ pub fn draw_on_rock(level: &Level, terrain: &Terrain, pictures: &Pictures, (view
         // A plain shape is a mark on the air: rock hides it.
         let Look::Image(path) = &picture.look else { continue };
         let Some(image) = pictures.get(path) else { continue };
-        for part in terrain.parts(&picture.bounds) {
+        for part in parts(&terrain.mass, &picture.bounds) {
             // The ends are whole pixels of the window, so that the parts adjoin as the rock's do.
             let (area, all) = (view.rect(&part), view.rect(&picture.bounds));
             let shown = Area { min: (area.min - all.min) / all.size, size: area.size / all.size };
@@ -218,12 +218,10 @@ fn draw_link(link: &Link, [from, to]: [DVec2; 2], (view, canvas): (&Viewport, &C
         LinkLaw::Spring(spring) => {
             let turns = (spring.length / TURN).clamp(TURNS.0, TURNS.1).round() as usize;
             let corner = |i: usize| {
-                let side = if i == 0 || i == 2 * turns {
-                    0.0
-                } else if i.is_multiple_of(2) {
-                    COIL
-                } else {
-                    -COIL
+                let side = match i {
+                    _ if i == 0 || i == 2 * turns => 0.0,
+                    _ if i.is_multiple_of(2) => COIL,
+                    _ => -COIL,
                 };
                 view.point(from.lerp(to, i as f64 / (2 * turns) as f64) + across * side)
             };

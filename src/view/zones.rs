@@ -185,11 +185,8 @@ pub fn draw_streams(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
         let zone = view.rect(&stream.zone);
         let colour = theme::force(crate::physics::ForceKind::Wind);
         canvas.rectangle(zone, colour.faded(0.055));
-        let way = if stream.force.x.abs() > stream.force.y.abs() {
-            DVec2::new(stream.force.x.signum(), 0.0)
-        } else {
-            DVec2::new(0.0, stream.force.y.signum())
-        };
+        let force = stream.force;
+        let way = if force.x.abs() > force.y.abs() { DVec2::X * force.x.signum() } else { DVec2::Y * force.y.signum() };
         let size = stream.zone.size();
         let length = (size * way.abs()).element_sum();
         let across = (size - size * way.abs()).element_sum();

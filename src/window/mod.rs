@@ -120,7 +120,7 @@ fn conf() -> Conf {
 
 async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     words::note_system(Language::named(&host::language()));
-    let mut pen = WindowPen::new(&art::sheet())?;
+    let mut pen = WindowPen::new(&art::sheet().bytes)?;
     let mut canvas = Canvas::new(Frame::default());
     let mut spectator = WindowSpectator::new(Speaker::start());
     let mut stack = Stack::with_worker(places, Worker::beside());

@@ -17,17 +17,13 @@ static FACES: [LazyLock<Image>; 5] = [
     LazyLock::new(|| face(boulders)),
     LazyLock::new(|| face(craters)),
 ];
-static EARTH: LazyLock<Image> =
+/// Its disc has the radius of half the picture's width over [`AIR`].
+pub static EARTH: LazyLock<Image> =
     LazyLock::new(|| Image::Painted(Arc::new(painted(|x, y| earth([x, y].map(|v| (v - 0.5) * 2.0 * AIR))))));
 
 /// Grey, to be multiplied by the light on the rock.
 pub fn face_of(landscape: Landscape) -> &'static Image {
     &FACES[landscape as usize]
-}
-
-/// Its disc has the radius of half the picture's width over [`AIR`].
-pub fn earth_picture() -> &'static Image {
-    &EARTH
 }
 
 /// `colour` maps a place, 0 … 1 across and down, to straight RGBA of 0 … 1.

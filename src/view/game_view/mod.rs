@@ -2,14 +2,14 @@
 
 mod drawing;
 
+use super::art::Pictures;
 use super::camera::{Camera, CanvasWindow, FIT_LEAST, FIT_MARGIN, StirredObjects, Viewport};
 use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
 use super::focus::Focus;
-use super::hud::{Hud, HudLayout, HudScene, HudShown};
+use super::hud::{Hud, HudLayout, HudPart, HudScene, HudShown};
 use super::particles::{Barriers, Particle, ParticleLook, Particles};
-use super::pictures::Pictures;
 use super::terrain::Terrain;
 use super::textbook::BodyPicture;
 use super::things::{GENTLE, Touchdown, Wreck};
@@ -21,6 +21,7 @@ use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind};
 use crate::settings::Settings;
 use crate::words::tr;
+pub use drawing::painting;
 use drawing::{OBJECTIVE_REACH, OBSTACLE_REACH};
 use std::path::Path;
 
@@ -118,7 +119,7 @@ impl GameView {
             terrain,
             camera: Camera::new(game.world().body(game.lead()).position),
             followed: game.lead(),
-            particles: Particles::new(),
+            particles: Particles::default(),
             emitters: Emitters::new(level),
             feedback: Feedback::default(),
             details: Details::default(),
@@ -174,11 +175,8 @@ impl GameView {
                 }
                 GameEvent::Refuelled(index) => {
                     let pod = &game.level().pods[*index];
-                    self.feedback.float(
-                        pod.bounds.centre(),
-                        tr!("+{fuel} fuel", fuel = format_args!("{:.0}", pod.fuel)),
-                        theme::accent(),
-                    );
+                    let words = tr!("+{fuel} fuel", fuel = format_args!("{:.0}", pod.fuel));
+                    self.feedback.float(pod.bounds.centre(), words, theme::accent());
                 }
                 GameEvent::StarTouched(index) => {
                     self.feedback.ring(game.level().stars[*index].bounds.centre(), theme::accent());
@@ -248,14 +246,16 @@ impl GameView {
             let room = beside(&covered, shown.status.then(|| HudLayout::shown(frame, game)).into_iter().flatten(), frame);
             self.picture.arrange(game, followed, room, frame);
         } else if overlays.details {
-            covered.extend(self.hud.pointers.iter().map(|pointer| pointer.area).chain(self.hud.stranded()).chain(self.hud.strip()));
-            let looking = Looking {
-                centres: &centres,
-                focus: &overlays.focus,
-                pointer: self.pointer,
-                model: overlays.hitboxes,
-                velocity: overlays.settings.velocity,
-            };
+            covered.extend(
+                self.hud
+                    .pointers
+                    .iter()
+                    .map(|pointer| pointer.area)
+                    .chain(self.hud.stranded())
+                    .chain(self.hud.aside.home(HudPart::Race)),
+            );
+            let (focus, model, velocity) = (&overlays.focus, overlays.hitboxes, settings.velocity);
+            let looking = Looking { centres: &centres, focus, pointer: self.pointer, model, velocity };
             self.details.arrange(game, &looking, &covered, &view, frame);
         }
     }
@@ -274,7 +274,7 @@ impl GameView {
 
     /// Drops the effects of another moment: the game has jumped.
     pub fn jump(&mut self, game: &Game) {
-        self.particles = Particles::new();
+        self.particles = Particles::default();
         self.feedback = Feedback::default();
         self.touchdown = Touchdown::default();
         self.stirred = StirredObjects::default();

@@ -130,14 +130,9 @@ pub struct HudLayout {
 
 impl HudLayout {
     pub fn new(frame: &Frame) -> Self {
-        let bar = frame.size * BAR;
+        let (bar, text) = (frame.size * BAR, frame.text_height(TEXT));
         Self {
-            status: Area::new(
-                2.0 * GRID,
-                2.0 * GRID,
-                15.2 * frame.text_height(TEXT),
-                STATUS_HEIGHT.max(frame.text_height(TEXT) * 3.2),
-            ),
+            status: Area::new(2.0 * GRID, 2.0 * GRID, 15.2 * text, STATUS_HEIGHT.max(text * 3.2)),
             fuel: Area::new(2.0 * GRID, frame.size.y - bar.y - 2.0 * GRID, bar.x, bar.y),
         }
     }

@@ -87,11 +87,6 @@ impl Hud {
         }
     }
 
-    /// The strip of medal and rivals beside the timer.
-    pub fn strip(&self) -> Option<Area> {
-        self.aside.home(HudPart::Race)
-    }
-
     /// The panel with advice without fuel, while it is there.
     pub fn stranded(&self) -> Option<Area> {
         self.stranded.as_ref().map(|(_, area)| *area)
@@ -312,7 +307,7 @@ pub fn draw_fuel_ring(game: &Game, centre: DVec2, view: &Viewport, canvas: &Canv
 /// The bar at `area`; at `aside` (0 … 1) it becomes a line without words.
 fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     let (at, size) = (area.min, area.size);
-    canvas.rectangle(Area::new(at.x, at.y, size.x, size.y), theme::panel().faded(HIDES));
+    canvas.rectangle(area, theme::panel().faded(HIDES));
     canvas.rectangle(Area::new(at.x, at.y, size.x * share, size.y), fuel_colour(share));
     // Dark words on the bright bar; light ones where the bar has ended.
     let style = Style::new(DETAILS, theme::ground()).mono().middle();
@@ -328,7 +323,7 @@ fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
             canvas.rectangle(Area::new(x - 1.0, at.y, 2.0, size.y), theme::ground().faded(0.6));
         }
     }
-    canvas.rectangle_edge(Area::new(at.x, at.y, size.x, size.y), 2.0 * (1.0 - aside), theme::panel_edge().faded(1.0 - aside));
+    canvas.rectangle_edge(area, 2.0 * (1.0 - aside), theme::panel_edge().faded(1.0 - aside));
     let style = Style { colour: colour.faded((1.0 - 2.0 * aside).max(0.0)), ..style };
     // What large words leave no room for is left out, key by key.
     let fits = |words: &str| canvas.width(words, style) <= canvas.size().x - x - GRID;

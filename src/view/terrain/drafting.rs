@@ -23,14 +23,6 @@ const ROOM: f64 = 0.6;
 const CELL: DVec2 = DVec2::new(14.0, 9.0);
 /// The most dimension lines of a level.
 const MOST_DIMENSIONS: usize = 400;
-/// A stroke of the hatching: opaque at its beginning on the edge, transparent at its end in the rock.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HatchStroke {
-    /// m.
-    pub from: DVec2,
-    /// m.
-    pub to: DVec2,
-}
 
 /// A dimension line in the rock, parallel to the measured edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,9 +49,9 @@ impl Dimension {
     }
 }
 
-/// The hatching along all edges of a kind: strokes at 45°, on lines that run through the whole level. No stroke leaves its kind,
-/// and strokes from opposite sides do not meet.
-pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<HatchStroke> {
+/// The hatching along all edges of a kind: strokes at 45°, on lines that run through the whole level, each from the edge into the rock, m. No
+/// stroke leaves its kind, and strokes from opposite sides do not meet.
+pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<(DVec2, DVec2)> {
     let edges = || mass.edges.iter().filter(move |edge| edge.kind == kind);
     let step = STEP.max(edges().map(RockEdge::length).sum::<f64>() / MOST_STROKES);
     let mut strokes = Vec::new();
@@ -75,7 +67,7 @@ pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<HatchStroke> {
             let room = mass.reach(kind, (from, way), 2.0 * wanted);
             let length = wanted.min(room / 2.0);
             if length >= LEAST {
-                strokes.push(HatchStroke { from, to: from + way * length });
+                strokes.push((from, from + way * length));
             }
         }
     }

@@ -3,14 +3,13 @@
 
 pub mod drafting;
 pub mod light;
-mod rock;
 pub mod silhouette;
 mod sweep;
 
 mod paint;
 
 pub use light::Tint;
-pub use paint::{Lamp, Terrain, material_edge};
+pub use paint::{Terrain, material_edge};
 
 use crate::level::Level;
 use crate::physics::{Aabb, DVec2, Material};
@@ -30,21 +29,22 @@ const RIM: f64 = 32.0;
 /// it: rock has no edge against them. Movers, doors, fragile and one-way blocks are left out. The far side of the outer rock has no
 /// edge.
 pub fn mass(level: &Level) -> Silhouette {
-    let (size, all) = (level.size, level.bounds());
+    let all = level.bounds();
     let inside = |bounds: &Aabb| Aabb::new(bounds.min.max(all.min), bounds.max.min(all.max));
     let solids = level.world.iter().filter(|solid| solid.is_rock()).map(|solid| (inside(&solid.bounds), kind(solid.material.name)));
     let sources = level.streams.iter().map(|stream| (inside(&stream.source), ROCK));
-    let (low, high) = (DVec2::splat(-RIM), size + RIM);
-    let rim = [
-        Aabb::new(low, DVec2::new(high.x, 0.0)),
-        Aabb::new(DVec2::new(low.x, size.y), high),
-        Aabb::new(DVec2::new(low.x, 0.0), DVec2::new(0.0, size.y)),
-        Aabb::new(DVec2::new(size.x, 0.0), DVec2::new(high.x, size.y)),
-    ];
+    let rim = frame(&Aabb::new(all.min - RIM, all.max + RIM), &all);
     let boxes: Vec<(Aabb, usize)> = rim.into_iter().map(|bounds| (bounds, ROCK)).chain(solids).chain(sources).collect();
     let mut mass = Silhouette::new(&boxes);
     mass.keep_edges(&all);
     mass
+}
+
+/// A box but for one inside it: above, below, left and right of that.
+fn frame(outer: &Aabb, inner: &Aabb) -> [Aabb; 4] {
+    let (a, b, c, d) = (outer.min, inner.min, inner.max, outer.max);
+    let piece = |left, top, right, bottom| Aabb::new(DVec2::new(left, top), DVec2::new(right, bottom));
+    [piece(a.x, a.y, d.x, b.y), piece(a.x, c.y, d.x, d.y), piece(a.x, b.y, b.x, c.y), piece(c.x, b.y, d.x, c.y)]
 }
 
 /// The parts of a box inside the mass, without overlap.

@@ -192,35 +192,27 @@ impl Silhouette {
 
     /// The pieces of a side by the kind behind them, in walking order.
     fn kinds(&self, from: EdgePlace, to: EdgePlace, inward: (i8, i8)) -> Vec<(EdgePlace, EdgePlace, usize)> {
+        let along: Vec<(EdgePlace, EdgePlace, usize)> = if inward.0 == 0 {
+            let (left, right) = (from.0.min(to.0), from.0.max(to.0));
+            let spans = self.row_beside(from.1, inward.1).into_iter().flat_map(|row| &row.spans);
+            let inside = spans.filter(|span| span.to > left && span.from < right);
+            inside.map(|span| ((span.from.max(left), from.1), (span.to.min(right), from.1), span.kind)).collect()
+        } else {
+            let (top, bottom) = (from.1.min(to.1), from.1.max(to.1));
+            let touches = |span: &&SweepSpan| if inward.0 > 0 { span.from == from.0 } else { span.to == from.0 };
+            let ends = |row: &SweepRow| ((from.0, row.top.max(top)), (from.0, row.bottom.min(bottom)));
+            let cut = |row: &SweepRow| row.spans.iter().find(touches).map(|span| (ends(row).0, ends(row).1, span.kind));
+            self.rows_between(top, bottom).iter().filter_map(cut).collect()
+        };
         let mut pieces: Vec<(EdgePlace, EdgePlace, usize)> = Vec::new();
         let mut add = |a: EdgePlace, b: EdgePlace, kind: usize| match pieces.last_mut() {
             Some(last) if last.2 == kind => last.1 = b,
             _ => pieces.push((a, b, kind)),
         };
-        if inward.0 == 0 {
-            let (left, right) = (from.0.min(to.0), from.0.max(to.0));
-            let row = self.row_beside(from.1, inward.1);
-            let inside = row.iter().flat_map(|row| &row.spans).filter(|span| span.to > left && span.from < right);
-            let mut along: Vec<SweepSpan> =
-                inside.map(|span| SweepSpan { from: span.from.max(left), to: span.to.min(right), kind: span.kind }).collect();
-            if to.0 < from.0 {
-                along.reverse();
-                along.iter().for_each(|span| add((span.to, from.1), (span.from, from.1), span.kind));
-            } else {
-                along.iter().for_each(|span| add((span.from, from.1), (span.to, from.1), span.kind));
-            }
+        if from < to {
+            along.into_iter().for_each(|(a, b, kind)| add(a, b, kind));
         } else {
-            let (top, bottom) = (from.1.min(to.1), from.1.max(to.1));
-            let touches = |span: &&SweepSpan| if inward.0 > 0 { span.from == from.0 } else { span.to == from.0 };
-            let cut =
-                |row: &SweepRow| row.spans.iter().find(touches).map(|span| (row.top.max(top), row.bottom.min(bottom), span.kind));
-            let mut along: Vec<(usize, usize, usize)> = self.rows_between(top, bottom).iter().filter_map(cut).collect();
-            if to.1 < from.1 {
-                along.reverse();
-                along.iter().for_each(|&(top, bottom, kind)| add((from.0, bottom), (from.0, top), kind));
-            } else {
-                along.iter().for_each(|&(top, bottom, kind)| add((from.0, top), (from.0, bottom), kind));
-            }
+            along.into_iter().rev().for_each(|(a, b, kind)| add(b, a, kind));
         }
         pieces
     }
@@ -331,11 +323,7 @@ fn following(sides: &[(EdgePlace, EdgePlace)], side: usize) -> usize {
 
 /// The direction from one place to another on the same column or height.
 fn unit(from: EdgePlace, to: EdgePlace) -> (i8, i8) {
-    let sign = |a: usize, b: usize| match b.cmp(&a) {
-        std::cmp::Ordering::Greater => 1,
-        std::cmp::Ordering::Equal => 0,
-        std::cmp::Ordering::Less => -1,
-    };
+    let sign = |a: usize, b: usize| b.cmp(&a) as i8;
     (sign(from.0, to.0), sign(from.1, to.1))
 }
 
