@@ -1,10 +1,7 @@
-//! A curve of one quantity of a body over another, tick by tick: the slope at a point, the area under a stretch, and the points to
-//! draw where there are more of them than pixels.
-//!
-//! Numbers, tick by tick, with the extremes of any stretch in a few steps: a curve of an hour is drawn in a frame.
+//! A curve of one quantity of a body over another, tick by tick: the slope at a point, the area under a stretch, and the points to draw where there
+//! are more of them than pixels. Its numbers have the extremes of any stretch in a few steps: a curve of an hour is drawn in a frame.
 
-use super::quantity::Quantity;
-use super::track::BodyTrack;
+use super::{quantity::Quantity, track::BodyTrack};
 use std::ops::Range;
 
 #[derive(Clone, Debug, PartialEq)]
@@ -106,12 +103,8 @@ impl Curve {
         let mut ways = Vec::new();
         for end in ends {
             if from < end {
-                let stretch = from..end;
-                ways.push(if self.across == Quantity::Time {
-                    self.by_columns(stretch, grain.0)
-                } else {
-                    self.apart(stretch, grain)
-                });
+                let over_time = self.across == Quantity::Time;
+                ways.push(if over_time { self.by_columns(from..end, grain.0) } else { self.apart(from..end, grain) });
             }
             from = end;
         }
@@ -163,32 +156,6 @@ impl Curve {
         let places = places.start..places.end.min(self.len());
         let distance = |i: usize| (((xs[i] - x) / grain.0).powi(2) + ((ys[i] - y) / grain.1).powi(2)).sqrt();
         places.map(|i| (i, distance(i))).min_by(|(_, a), (_, b)| a.total_cmp(b))
-    }
-}
-
-#[cfg(test)]
-pub(crate) mod fixture {
-    use super::*;
-    use crate::game::{Controls, Game, SHIP};
-    use crate::level;
-    use std::sync::Arc;
-
-    /// The ship of the fixture under those controls.
-    pub fn flown(ticks: u64, controls: impl Fn(u64) -> Controls) -> BodyTrack {
-        let mut game = Game::new(Arc::new(level::fixture())).expect("it loads");
-        let mut track = BodyTrack::new(SHIP);
-        track.begin(&game);
-        for tick in 0..ticks {
-            game.step(controls(tick));
-            track.tick(&game);
-        }
-        track
-    }
-
-    pub fn curve(track: &BodyTrack, across: Quantity, up: Quantity) -> Curve {
-        let mut curve = Curve::new(across, up);
-        curve.follow(track);
-        curve
     }
 }
 
@@ -246,12 +213,40 @@ fn extremes(values: &[f64]) -> Option<Extremes> {
 }
 
 #[cfg(test)]
+pub(crate) use tests::fixture;
+
+#[cfg(test)]
 mod tests {
-    use super::fixture::{curve, flown};
     use super::*;
     use crate::game::Controls;
     use crate::instruments::quantity::VectorPart;
+    use fixture::{curve, flown};
     use proptest::prelude::*;
+
+    pub(crate) mod fixture {
+        use super::*;
+        use crate::game::{Controls, Game, SHIP};
+        use crate::level;
+        use std::sync::Arc;
+
+        /// The ship of the fixture under those controls.
+        pub fn flown(ticks: u64, controls: impl Fn(u64) -> Controls) -> BodyTrack {
+            let mut game = Game::new(Arc::new(level::fixture())).expect("it loads");
+            let mut track = BodyTrack::new(SHIP);
+            track.begin(&game);
+            for tick in 0..ticks {
+                game.step(controls(tick));
+                track.tick(&game);
+            }
+            track
+        }
+
+        pub fn curve(track: &BodyTrack, across: Quantity, up: Quantity) -> Curve {
+            let mut curve = Curve::new(across, up);
+            curve.follow(track);
+            curve
+        }
+    }
 
     /// The ship of the fixture, which goes up for half a second and falls to the floor.
     fn hop(ticks: u64) -> BodyTrack {
@@ -292,7 +287,7 @@ mod tests {
         assert_eq!(area(Quantity::Velocity(VectorPart::Y)), risen);
         assert_eq!(area(Quantity::Momentum(VectorPart::Y)), first.constants.mass * risen);
         let forces = area(Quantity::Resultant(VectorPart::Y));
-        let impulses: f64 = track.impulses().map(|impulse| impulse.y).sum();
+        let impulses: f64 = track.impulses.iter().map(|impulse| impulse.y).sum();
         let change = first.constants.mass * (last.velocity.y - first.velocity.y);
         assert!(impulses > 0.0 && (forces + impulses - change).abs() <= 1e-9 * impulses, "{forces} and {impulses} for {change}");
         // Where nothing is hit and nothing switched, the trapezoids come to the same.
