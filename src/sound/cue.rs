@@ -1,6 +1,4 @@
-//! The one-shot sounds.
-//!
-//! The parts of each cue: tones that ring and fade, as struck objects do, and bursts of filtered noise.
+//! The one-shot sounds. The parts of each cue: tones that ring and fade, as struck objects do, and bursts of filtered noise.
 
 use crate::physics::Material;
 
@@ -53,7 +51,6 @@ pub enum Cue {
 }
 
 impl Cue {
-    /// The number of cues.
     pub const COUNT: usize = 17;
     /// A cue's number is its index here.
     pub const ALL: [Self; Self::COUNT] = [
@@ -161,7 +158,6 @@ impl Recipe {
             Cue::Bubble => Self::new([Part { glide: 7.0, swell: 0.006, ..struck(380.0 + 900.0 * loudness, 0.03, 0.5) }]),
             Cue::Press => Self::new([struck(659.26, 0.05, 0.3), struck(1318.5, 0.03, 0.12), burst(2500.0, 0.8, 0.006, 0.3)]),
             Cue::Move => Self::new([struck(880.0, 0.018, 0.16)]),
-            // A jump is a tone that rises.
             Cue::Jump => Self::new([Part { glide: 5.0, swell: 0.004, ..struck(247.0, 0.08, 0.4) }]),
             Cue::Click => Self::new([struck(900.0, 0.008, 0.3), struck(2200.0, 0.004, 0.5)]),
         }

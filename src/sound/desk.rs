@@ -1,12 +1,8 @@
-//! Between the game and the sound's thread: atomics only, so that neither ever waits. The game writes to the [`SoundDesk`], the
-//! mixer reads the [`Feed`]. Without a reader the writes are lost.
-//!
-//! The game's side of the sound. It gathers the sounds of a frame and passes them on at its end, each cue once and as loud as its
-//! loudest: many collisions a frame are one click.
+//! Between the game and the sound's thread: atomics only, so that neither ever waits. The game writes to the [`SoundDesk`], the mixer reads the
+//! [`Feed`]. Without a reader the writes are lost. The [`Speaker`] gathers the sounds of a frame and passes them on at its end, each cue once and as
+//! loud as its loudest: many collisions a frame are one click.
 
-use super::music::Arrangement;
-use super::output::Output;
-use super::{Ambience, Cue, Sound, Volumes};
+use super::{Ambience, Cue, Sound, Volumes, music::Arrangement, output::Output};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 
@@ -24,14 +20,12 @@ pub fn desk() -> (SoundDesk, Feed) {
 }
 
 /// The game's end.
-#[derive(Debug)]
 pub struct SoundDesk(Arc<Shared>);
 
 /// The mixer's end.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Feed(Arc<Shared>);
 
-#[derive(Debug)]
 struct Shared {
     volumes: [AtomicU32; 3],
     ambience: [AtomicU32; 4],
@@ -166,14 +160,10 @@ fn pack(sound: Sound) -> u64 {
 
 fn unpack(packed: u64) -> Sound {
     let part = |shift: u32| (packed >> shift & 0xffff) as u16;
-    Sound {
-        cue: Cue::ALL[usize::from(part(32)) % Cue::COUNT],
-        loudness: f32::from(part(16)) / STEPS,
-        place: f32::from(part(0)) / STEPS - 1.0,
-    }
+    let cue = Cue::ALL[usize::from(part(32)) % Cue::COUNT];
+    Sound { cue, loudness: f32::from(part(16)) / STEPS, place: f32::from(part(0)) / STEPS - 1.0 }
 }
 
-#[derive(Debug)]
 pub struct Speaker {
     pub desk: SoundDesk,
     /// Indexed by the cues' numbers.

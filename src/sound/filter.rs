@@ -5,7 +5,6 @@ use rand_pcg::Pcg32;
 use std::f32::consts::{PI, TAU};
 
 /// −1 … 1; the same from the same seed.
-#[derive(Debug)]
 pub struct WhiteNoise(Pcg32);
 
 impl WhiteNoise {

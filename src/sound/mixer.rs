@@ -1,9 +1,6 @@
-//! The sum of all sounds: stereo samples from the desk's state.
-//!
-//! Keeps loud samples below a ceiling. Samples below it pass unchanged, with a short delay: the limiter sees them in advance and
-//! has turned down in time.
-//!
-//! The bed of continuous sounds: the engine, the wind, the liquid around the ship. Noise, filtered by the strength of each.
+//! The sum of all sounds: stereo samples from the desk's state. A limiter keeps loud samples below a ceiling. Samples below it pass unchanged, with a
+//! short delay: the limiter sees them in advance and has turned down in time. The bed of continuous sounds (the engine, the wind, the liquid around
+//! the ship) is noise, filtered by the strength of each.
 
 use super::cue::Recipe;
 use super::filter::{BandPass, Glide, LowPass, WhiteNoise};
@@ -21,14 +18,12 @@ const HELD_UP: f32 = 0.4;
 /// Corner frequency under water, Hz; in air all passes.
 const UNDER_WATER: f32 = 420.0;
 const IN_AIR: f32 = 18_000.0;
-/// At the default volumes flights average about −19 dBFS, as other games do; the limiter takes the louder part: a crash beside the
-/// engine, or volumes near their ends.
+/// At the default volumes flights average about −19 dBFS, as other games do; the limiter takes what is louder, as a crash beside the engine.
 const EFFECTS: f32 = 2.84;
 /// At full volume music is nearly as loud as the engine; by default, far below it.
 const MUSIC: f32 = 5.68;
 
 /// Computes the samples. It allocates nothing after construction, and never waits.
-#[derive(Debug)]
 pub struct Mixer {
     feed: Feed,
     rate: f32,
@@ -129,7 +124,7 @@ impl Mixer {
             let gains = [angle.cos(), angle.sin()].map(|side| side * sound.loudness);
             self.choir.sing(Voice::new(&Recipe::of(sound.cue, sound.loudness), self.rate, gains));
         }
-        let corner = IN_AIR * (UNDER_WATER / IN_AIR).powf(self.bed.liquid());
+        let corner = IN_AIR * (UNDER_WATER / IN_AIR).powf(self.bed.liquid.value);
         for filter in self.water.as_flattened_mut() {
             filter.set(self.rate, corner.min(0.4 * self.rate));
         }
@@ -138,8 +133,7 @@ impl Mixer {
 
 /// The largest sample: −1.4 dBFS, so that the curve between samples stays below −1 dBFS.
 const CEILING: f32 = 0.85;
-/// Its look-ahead, s: the time in which it turns down. A jump would be heard as a crack; 2 ms are shorter than the ear can tell
-/// from one.
+/// Its look-ahead, s: the time in which it turns down. A jump would be heard as a crack; 2 ms are shorter than the ear can tell from one.
 const AHEAD: f32 = 0.002;
 /// Time constant of its release, s: longer than five periods of the deepest tone, 46 Hz, which it would distort otherwise, and
 /// shorter than the decay of a crash, after which the engine would be heard to swell.
@@ -148,7 +142,6 @@ const RELEASE: f32 = 0.12;
 const NEARLY: f32 = 0.9995;
 
 /// Both sides have the same gain, so that no sound moves from side to side.
-#[derive(Debug)]
 struct Limiter {
     /// Rings of the delayed samples, of the gain that each needs, and of the target gain at its arrival.
     samples: Vec<[f32; 2]>,
@@ -183,8 +176,7 @@ impl Limiter {
         }
     }
 
-    /// The delayed sample, left and right. Its gain is the mean of the targets since its arrival, and none of them exceeds its
-    /// need: so it ends below the ceiling.
+    /// The delayed sample, left and right. Its gain is the mean of the targets since its arrival, none above its need: it ends below the ceiling.
     pub fn next(&mut self, sample: [f32; 2]) -> [f32; 2] {
         let ahead = self.samples.len();
         let peak = sample[0].abs().max(sample[1].abs());
@@ -229,8 +221,6 @@ const RUMBLE_PITCH: f32 = 46.0;
 /// The most bubbles a second.
 const BUBBLES: f32 = 16.0;
 
-/// The filters of the bed and their states.
-#[derive(Debug)]
 pub struct Bed {
     rate: f32,
     engine: Glide,
@@ -239,7 +229,6 @@ pub struct Bed {
     motion: Glide,
     /// The engine's roar: one for both sides, and one for each.
     roar: [[LowPass; 2]; 3],
-    /// The wind on each side.
     howl: [BandPass; 2],
     flow: LowPass,
     /// Phase of the rumble in turns, and the time of the slow wander, s.
@@ -264,11 +253,6 @@ impl Bed {
             time: 0.0,
             age: 0,
         }
-    }
-
-    /// The audible share of the ship under water, 0 … 1.
-    pub const fn liquid(&self) -> f32 {
-        self.liquid.value
     }
 
     /// A bubble that begins at random.

@@ -1,9 +1,6 @@
-//! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side; with speed a bass and a brush come in,
-//! with goals broken chords.
-//!
-//! The notes of the music, from a number: a scale, a pace, and motifs that return changed. No sound is made here.
-//!
-//! An ensemble for each world: its scales, its pace, the sound of its plucked notes and of its beat.
+//! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side; with speed a bass and a brush come in, with
+//! goals broken chords. Its notes come from a number: a scale, a pace, and motifs that return changed. Each world has an ensemble: scales, a pace,
+//! the sound of its plucked notes and of its beat.
 
 use super::cue::{Part, Recipe, burst, struck};
 use super::filter::{Glide, LowPass, WhiteNoise};
@@ -27,7 +24,6 @@ const BRUSH: f32 = 0.1;
 const BROKEN: f32 = 0.07;
 const BRISK: f32 = 0.4;
 
-#[derive(Debug)]
 pub struct Music {
     rate: f32,
     /// With its number and world.
@@ -76,7 +72,6 @@ impl Music {
         [gain * (dry[0] + wet[0]), gain * (dry[1] + wet[1])]
     }
 
-    /// Begins the notes of the next eighth.
     fn play_eighth(&mut self, how: &Arrangement) {
         let Some(((_, world), tune)) = &mut self.tune else { return };
         let (ensemble, notes, length) = (Ensemble::of(*world), tune.notes(self.eighth), tune.eighth);
@@ -120,7 +115,6 @@ impl Music {
 }
 
 /// An echo from the other side, duller each time.
-#[derive(Debug)]
 struct Echo {
     /// A ring of samples, left and right.
     past: Vec<[f32; 2]>,
@@ -165,7 +159,6 @@ const LOWEST: i32 = 5;
 const HIGHEST: i32 = 16;
 
 /// An endless piece of music: the same from the same number and ensemble.
-#[derive(Debug)]
 pub struct Tune {
     number: u32,
     scale: [i32; 5],
@@ -269,7 +262,6 @@ pub struct Arrangement {
     pub goals: f32,
 }
 
-#[derive(Debug)]
 pub struct Ensemble {
     /// Steps of two pentatonic scales above the root, in semitones.
     pub scales: [[i32; 5]; 2],

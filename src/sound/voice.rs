@@ -12,7 +12,6 @@ const END: f32 = 0.006;
 /// The highest pitch as a share of the rate: above half of it a pitch would alias.
 const HIGHEST: f32 = 0.45;
 
-#[derive(Debug)]
 pub struct Voice {
     rate: f32,
     parts: [Option<PlayedPart>; PARTS],
@@ -106,7 +105,6 @@ impl Voice {
         Some(self.gains.map(|gain| gain * end * sum))
     }
 
-    /// Sets the present pitches.
     fn tune(&mut self) {
         let (age, rate) = (self.age, self.rate);
         for PlayedPart { part, envelope, source } in self.parts.iter_mut().flatten() {
@@ -127,7 +125,6 @@ impl Voice {
 }
 
 /// A fixed number of voices. A new one replaces the one nearest its end when all are taken.
-#[derive(Debug)]
 pub struct Choir<const N: usize>([Option<Voice>; N]);
 
 impl<const N: usize> Choir<N> {

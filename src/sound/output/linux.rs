@@ -1,12 +1,7 @@
-//! Output on Linux: the thread computes and writes block after block; the device holds it until there is room.
-//!
-//! Paces the samples by the clock. A device takes no more than fits its buffer; a file or null device takes samples as fast as the
-//! processor computes them.
-//!
-//! The sound libraries of a Linux system, found at run time: PulseAudio's simple interface (which PipeWire offers as well), else
-//! ALSA's. Without either, or without a device, there is silence.
-//!
-//! Its unsafe code rests on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and
+//! Output on Linux: the thread computes and writes block after block; the device holds it until there is room. Paces the samples by the clock. A
+//! device takes no more than fits its buffer; a file or null device takes samples as fast as the processor computes them. The sound libraries of a
+//! Linux system, found at run time: PulseAudio's simple interface (which PipeWire offers as well), else ALSA's. Without either, or without a device,
+//! there is silence. Its unsafe code rests on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and
 //! `alsa/asoundlib.h` (libasound 2), compatible since 2007 and 2004, as the names `.so.0` and `.so.2` promise; and a
 //! device is used by the one thread that opened it.
 #![allow(unsafe_code)]
@@ -95,7 +90,6 @@ const SAMPLE: usize = size_of::<f32>();
 const STUMBLES: usize = 8;
 
 /// The library in use.
-#[derive(Debug)]
 pub struct Libraries {
     pulse: Option<Pulse>,
     alsa: Option<Alsa>,
@@ -110,7 +104,6 @@ impl Libraries {
     }
 }
 
-#[derive(Debug)]
 pub enum Device {
     /// PulseAudio or PipeWire, which mix programs.
     Pulse(&'static Pulse, NonNull<c_void>),
@@ -183,7 +176,6 @@ type PulseNew = unsafe extern "C" fn(
 ) -> *mut c_void;
 
 /// PulseAudio's simple interface.
-#[derive(Debug)]
 pub struct Pulse {
     new: PulseNew,
     write: unsafe extern "C" fn(*mut c_void, *const c_void, usize, *mut c_int) -> c_int,
@@ -235,7 +227,6 @@ const ALSA_FLOAT: c_int = if cfg!(target_endian = "little") { 14 } else { 15 };
 type ErrorHandler = unsafe extern "C" fn(*const c_char, c_int, *const c_char, c_int, *const c_char, *const c_void);
 
 /// ALSA's PCM interface.
-#[derive(Debug)]
 pub struct Alsa {
     open: unsafe extern "C" fn(*mut *mut c_void, *const c_char, c_int, c_int) -> c_int,
     nonblock: unsafe extern "C" fn(*mut c_void, c_int) -> c_int,
@@ -272,8 +263,7 @@ impl Alsa {
             unsafe { set(Some(say_nothing)) };
         }
         let mut pcm = ptr::null_mut();
-        // SAFETY: `pcm` takes the handle; the name ends with 0. Opened so that it does not wait for a device that another program
-        // has.
+        // SAFETY: `pcm` takes the handle; the name ends with 0. Opened so that it does not wait for a device that another program has.
         if unsafe { (self.open)(&mut pcm, c"default".as_ptr(), ALSA_PLAYBACK, ALSA_NONBLOCK) } < 0 {
             return None;
         }
@@ -303,8 +293,7 @@ impl Alsa {
                 // A device that takes nothing and returns no error would hold this loop for ever.
                 Ok(0) => return false,
                 Ok(frames) => left = left.get(frames * CHANNELS..).unwrap_or_default(),
-                // An underrun (the machine was busy, or asleep) recovers; any other error means that the device is gone. SAFETY:
-                // the handle is open.
+                // An underrun (the machine was busy, or asleep) recovers; any other error means that the device is gone. SAFETY: the handle is open.
                 Err(_) if unsafe { (self.recover)(pcm.as_ptr(), written as c_int, 1) } < 0 => return false,
                 Err(_) => stumbles += 1,
             }

@@ -1,6 +1,5 @@
-//! Takes the mixer's samples to a device, on a thread that the game never waits for: on Linux through the libraries of the system,
-//! found at run time (the build needs nothing); on Windows and macOS through `cpal`; in a browser by the page's script. Other
-//! systems are silent.
+//! Takes the mixer's samples to a device, on a thread that the game never waits for: on Linux through the libraries of the system, found at run time
+//! (the build needs nothing); on Windows and macOS through `cpal`; in a browser by the page's script. Other systems are silent.
 
 #[cfg(target_os = "linux")]
 mod linux;

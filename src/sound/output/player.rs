@@ -5,8 +5,7 @@ use super::linux::play;
 use crate::sound::Feed;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread::JoinHandle;
-use std::time::Duration;
+use std::{thread::JoinHandle, time::Duration};
 
 /// The time to the first attempt to find a device again, and the longest.
 const RETRY: [Duration; 2] = [Duration::from_secs(4), Duration::from_secs(60)];
@@ -24,7 +23,6 @@ pub(super) enum Why {
     Lost,
 }
 
-#[derive(Debug)]
 pub struct Output {
     ends: Arc<AtomicBool>,
     thread: Option<JoinHandle<()>>,
