@@ -1,5 +1,4 @@
 //! The pen of memory: plays a canvas into a picture, without a window. Words are left out, and so are the pictures of files.
-//!
 //! Soft edges: one physical pixel fades out around each shape, so that nothing is jagged without multisampling.
 
 use super::canvas::Canvas;
@@ -16,8 +15,7 @@ pub fn paint(canvas: &Canvas, width: usize, ground: Colour, sheet: &Painting) ->
     let scale = width as f32 / size.x;
     let height = (size.y * scale).round() as usize;
     let mut raster = Raster { width, height, scale, parts: [ground.r, ground.g, ground.b].repeat(width * height) };
-    let mut soft = Soft::default();
-    soft.begin(1.0 / scale);
+    let mut soft = Soft { pixel: 1.0 / scale, ..Soft::default() };
     for shape in canvas.shapes().iter() {
         raster.draw(shape, sheet, &mut soft, canvas.frame().pixel);
     }
@@ -139,7 +137,6 @@ fn texture<'a>(image: &'a Image, sheet: &'a Painting) -> Option<&'a Painting> {
     }
 }
 
-/// The nearest texel.
 fn texel(texture: &Painting, place: Vec2) -> [f32; 4] {
     let at = |share: f32, size: usize| ((share * size as f32) as usize).min(size.saturating_sub(1));
     let first = (at(place.y, texture.height()) * texture.width + at(place.x, texture.width)) * 4;
@@ -153,7 +150,7 @@ const FLATNESS: f32 = 0.2;
 #[derive(Debug, Default)]
 pub struct Soft {
     /// Canvas units a physical pixel.
-    pixel: f32,
+    pub pixel: f32,
     corners: Vec<Vec2>,
     normals: Vec<Vec2>,
     /// The corners with their colours.
@@ -163,11 +160,6 @@ pub struct Soft {
 }
 
 impl Soft {
-    /// `pixel` is canvas units a physical pixel.
-    pub const fn begin(&mut self, pixel: f32) {
-        self.pixel = pixel;
-    }
-
     pub fn fill(&mut self, outline: &Contour, colour: Colour) {
         self.take(outline);
         let half = self.pixel / 2.0;
@@ -274,7 +266,7 @@ mod tests {
         back.reverse();
         for corners in [square, back] {
             let mut soft = Soft::default();
-            soft.begin(2.0);
+            soft.pixel = 2.0;
             soft.fill(&Contour::Convex(corners.to_vec()), Colour::WHITE);
             let outermost = &soft.vertices[soft.vertices.len() - 4..];
             for (corner, (point, colour)) in corners.iter().zip(outermost) {

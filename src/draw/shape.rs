@@ -1,15 +1,8 @@
-//! The shapes of a canvas.
-//!
-//! Colours.
-//!
-//! Quadrangles without soft edges, whose colours run from corner to corner: light, liquids, drafted strokes.
-//!
-//! Dashed lines.
+//! The shapes of a canvas, its colours, quadrangles whose colours run from corner to corner (light, liquids, drafted strokes), and dashed lines.
 
 use super::layout::{Area, Vec2};
 use super::text::Typeface;
-use std::fmt;
-use std::sync::Arc;
+use std::{fmt, sync::Arc};
 
 /// Lengths in canvas units, y down.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,8 +23,7 @@ pub enum Shape {
     Textured { image: Image, quads: Vec<(Quad, [Vec2; 4])> },
     /// It lies above all other shapes of its layer.
     Text { text: String, at: Vec2, style: Style },
-    /// A part of an image (0 … 1 along both axes) stretched over an area, turned around the area's middle (radians, clockwise),
-    /// multiplied by a colour.
+    /// A part of an image (0 … 1 along both axes) over an area, turned clockwise around its middle (rad), and multiplied by a colour.
     Picture { image: Image, part: Area, area: Area, turn: f32, tint: Colour },
     /// The following shapes lie above all before it.
     Layer,
@@ -87,9 +79,7 @@ impl fmt::Debug for Painting {
 pub enum Align {
     #[default]
     Left,
-    /// On both sides.
     Centre,
-    /// To the left.
     Right,
 }
 
@@ -137,7 +127,6 @@ pub struct Colour {
     pub r: f32,
     pub g: f32,
     pub b: f32,
-    /// Opacity.
     pub a: f32,
 }
 
@@ -225,8 +214,7 @@ impl Quads {
     }
 }
 
-/// The pieces of a dashed path through `corners`: the lengths of a pattern (canvas units) are drawn and left out in turn, also round
-/// corners. Without a pattern the path is whole.
+/// The pieces of a path: the lengths of a pattern (canvas units) are drawn and left out in turn, also round corners; without one it is whole.
 pub fn dashes(corners: &[Vec2], pattern: &[f32]) -> Vec<(Vec2, Vec2)> {
     let mut pieces = Vec::new();
     let (mut index, mut left) = (0, pattern.first().copied().unwrap_or(f32::INFINITY));

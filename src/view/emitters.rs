@@ -27,7 +27,6 @@ const FELT_REACH: f64 = 1.6;
 /// The most particles a second of all objectives, key objects and streams in view together: with more they thin out.
 const MOST_A_SECOND: f64 = 260.0;
 
-/// A steady emitter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Emitter {
     Objective(usize),
@@ -141,7 +140,6 @@ pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) 
 pub fn objective_colour(game: &Game, index: usize) -> Colour {
     match game.level().objectives[index].kind {
         _ if game.met()[index] => theme::good(),
-        // The objective is not open yet.
         _ if !game.is_open(index) => theme::quiet(),
         ObjectiveKind::Player => theme::player_objective(),
         ObjectiveKind::Physics => theme::physics_objective(),
@@ -196,13 +194,8 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
             // It begins far enough upstream that its whole path lies in the zone.
             let position = stream.zone.min + place * size;
             let room = (stream.zone.max - position).max(DVec2::ZERO).min(size);
-            let ahead = if way.x.abs() > way.y.abs() {
-                if way.x > 0.0 { room.x } else { size.x - room.x }
-            } else if way.y > 0.0 {
-                room.y
-            } else {
-                size.y - room.y
-            };
+            let axis = usize::from(way.x.abs() <= way.y.abs());
+            let ahead = if way[axis] > 0.0 { room[axis] } else { size[axis] - room[axis] };
             let life = life.min(ahead / speed);
             if life as f32 > 0.1 {
                 let colour = theme::force(ForceKind::Wind);

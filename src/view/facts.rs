@@ -1,5 +1,4 @@
 //! The facts in a body's details box, read from the world's own state without computing them again. Their wording is elsewhere.
-//!
 //! Rows of quantities for players, y upwards as in school: the engine and the level's files count y downwards.
 
 use crate::game::{Game, SHIP, body_title, plain_name};
@@ -49,23 +48,19 @@ impl ArrowKind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     Scalar(f64),
-    /// x and y.
     Vector(DVec2),
 }
 
 /// A line of a box.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FactRow {
-    /// The quantity.
     pub name: &'static str,
     /// The exerting body in words; empty where there is none, or for a sum.
     pub by: String,
     pub value: Value,
-    /// Unit.
     pub unit: &'static str,
     /// The force or impact, where the line has a colour.
     pub shown: Option<ArrowKind>,
-    /// The sources of the force.
     pub causes: Vec<Source>,
 }
 
@@ -152,8 +147,7 @@ pub fn linked_to(game: &Game, body: BodyId, link: u32) -> Option<BodyId> {
     }
 }
 
-/// The source of a force or an impact on a body in words: bodies by the titles of their boxes, also those at the other end of a link. Several
-/// are counted.
+/// The source of a force or an impact in words: bodies by the titles of their boxes, also at the other end of a link. Several are counted.
 pub fn by_whom(game: &Game, on: BodyId, causes: &[Source]) -> String {
     let all = |sort: fn(&Source) -> bool| causes.iter().all(sort);
     match causes {
@@ -286,8 +280,7 @@ fn balance(rows: &[FactRow], resultant: usize, all: &mut [(Vec<String>, Quantity
     }
 }
 
-/// Whole numbers of which `sum` is the sum, each next to its part: the nearest ones, but for those parts that are farthest from them. Each
-/// part says whether it reads as zero, and should then stay so.
+/// Whole numbers with that sum, the nearest to their parts but for the parts farthest from them; a part that reads as zero should stay so.
 fn rounded_to(sum: f64, parts: &[(f64, bool)]) -> Vec<f64> {
     let mut counts: Vec<f64> = parts.iter().map(|(part, _)| part.round()).collect();
     let missing = sum - counts.iter().sum::<f64>();

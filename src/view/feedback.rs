@@ -1,8 +1,7 @@
 //! Feedback on events: the screen's shake and red edges after a damaging hit, the flash of a death, floating words for lost points
 //! and praise, the ring of a met objective.
 
-use super::camera::Viewport;
-use super::theme;
+use super::{camera::Viewport, theme};
 use crate::draw::layout::{Area, BUTTON_TEXT, LINE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::DVec2;
@@ -116,7 +115,6 @@ impl Feedback {
             let beside = if at.y < TOP { FLOAT_ASIDE * (canvas.size().x / 2.0 - at.x).signum() } else { 0.0 };
             let low = Vec2::new(48.0, TOP);
             let mut at = (at + Vec2::new(beside, 0.0)).clamp(low, (canvas.size() - low).max(low));
-            // Older words stand above newer ones.
             if let Some(newer) = newer.filter(|newer| (newer.x - at.x).abs() < FLOAT_WIDTH) {
                 at.y = at.y.min(newer.y - line);
             }

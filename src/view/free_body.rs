@@ -7,8 +7,7 @@ use super::scale::{Arrow, ArrowScale, HEAD_SPREAD, Label, Reach, head_length};
 use crate::draw::layout::{Area, Vec2};
 use crate::game::SHIP;
 use crate::physics::{BodyId, DVec2};
-use std::collections::HashMap;
-use std::sync::LazyLock;
+use std::{collections::HashMap, sync::LazyLock};
 
 /// From the window's edge to an arrow's ends, canvas units.
 const EDGE: f32 = 6.0;
@@ -38,7 +37,6 @@ const LONGEST: f64 = 1e6;
 #[derive(Clone, Debug)]
 pub struct ArrowSubject {
     pub facts: BodyFacts,
-    /// Drawn place.
     pub object: Area,
 }
 
@@ -102,9 +100,7 @@ pub fn reaches(subjects: &[ArrowSubject], ground: &Ground) -> [Vec<Reach>; 2] {
 /// The arrows, from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct ArrowLayout {
-    /// The arrows with a place.
     pub arrows: Vec<Arrow>,
-    /// The number of the others.
     pub left_out: usize,
     /// The index in [`MOVES`] of each arrow: by its body, its kind, and its place among those of the same kind.
     moved: HashMap<(BodyId, ArrowKind, usize), usize>,
@@ -209,7 +205,6 @@ struct ArrowWish {
     length: f32,
     least: f32,
     base: f32,
-    /// The area that its moves can reach.
     reach: Area,
 }
 
@@ -225,7 +220,6 @@ impl ArrowWish {
         let by_scale = if outside > 0.0 || head.x > head.y { outside + head.x } else { SHORTEST };
         let least = if length >= by_scale.max(SHORTEST) { least.min(length) } else { least };
         let (room, slides) = (ground.room(from, along), f32::from(SLIDES[0]) * SLIDE);
-        // An arrow longer than its room and its slides is cut.
         let base = if length > room + slides { room } else { length }.max(least);
         let far = Vec2::splat(slides + LENGTHENED * LENGTHEN + head_length(shown).x);
         let (min, max) = (from.min(from + along * base) - far, from.max(from + along * base) + far);

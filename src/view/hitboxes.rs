@@ -1,8 +1,6 @@
-//! The view for authors and developers (F3): the boxes that collide, the zones, the contacts, the path of the last tick, and
-//! figures.
+//! The view for authors and developers (F3): the boxes that collide, the zones, the contacts, the path of the last tick, and figures.
 
-use super::camera::Viewport;
-use super::theme;
+use super::{camera::Viewport, theme};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};

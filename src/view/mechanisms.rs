@@ -2,10 +2,8 @@
 //! doors are barred; belts run with chevrons; one-way blocks have one thick side; fragile blocks are cracked.
 
 use super::art::{self, Tile};
-use super::camera::Viewport;
 use super::particles::{Particle, ParticleLook, Particles};
-use super::terrain::material_edge;
-use super::theme;
+use super::{camera::Viewport, terrain::material_edge, theme};
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour};
 use crate::game::{Game, Outcome};
@@ -152,8 +150,7 @@ fn draw_pod(area: Area, canvas: &Canvas, time: f64) {
     canvas.convex(&drop, theme::accent());
 }
 
-/// The solids that are no rock. `alpha` is the frame's place between the last tick but one and the last. With the `answer` (0 … 1) of a
-/// solved level doors open and belts run.
+/// The solids that are no rock. `alpha` is the frame's place in the last tick. With a solved level's `answer` (0 … 1) doors open and belts run.
 pub fn draw(game: &Game, alpha: f64, (view, canvas): (&Viewport, &Canvas), (time, answer): (f64, f32)) {
     let level = game.level();
     for mover in &level.movers {
@@ -189,7 +186,6 @@ pub fn draw(game: &Game, alpha: f64, (view, canvas): (&Viewport, &Canvas), (time
     }
 }
 
-/// The track of a mover: dashed, with a tick at each stop.
 fn draw_track(mover: &Mover, view: &Viewport, canvas: &Canvas) {
     let colour = WORKS_EDGE.faded(0.55);
     let closes = (mover.manner.route == Route::Round).then(|| mover.stops[0]);

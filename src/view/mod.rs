@@ -1,5 +1,4 @@
-//! Drawing only: reads the game and changes nothing in it. The screens decide, in [`crate::screens`]. A [`crate::draw::Canvas`]
-//! records the shapes.
+//! Drawing only: reads the game and changes nothing in it. The screens decide, in [`crate::screens`]. A [`crate::draw::Canvas`] records the shapes.
 
 pub mod art;
 pub mod boxes;

@@ -1,7 +1,5 @@
 //! Particles: a pool of short-lived dots and streaks, for show: their random numbers are their own and nothing reads them back.
-//!
-//! Barriers of exhaust, dust and sparks: the solid surfaces near the view, sorted into columns so that a particle looks at few of
-//! them.
+//! Barriers of exhaust, dust and sparks: the solid surfaces near the view, sorted into columns so that a particle looks at few of them.
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
@@ -28,23 +26,19 @@ pub enum ParticleLook {
     Plume,
     /// A puff that spreads and settles.
     Dust,
-    /// A spark that shrinks.
     Spark,
     /// A stroke along its path.
     Streak,
-    /// A small arrow along its path.
     Arrow,
 }
 
+/// In SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle {
-    /// m.
     pub position: DVec2,
-    /// m/s.
     pub velocity: DVec2,
-    /// s.
     pub age: f32,
-    /// Age at its death, s.
+    /// Age at its death.
     pub life: f32,
     pub look: ParticleLook,
     /// The plume has its own colours.
@@ -75,12 +69,12 @@ impl Particle {
 
     /// Moves it in a straight line to a point, or to the first solid before that, along which it goes on; wind blows through solids.
     fn go(&mut self, to: DVec2, barriers: &Barriers) {
-        let Some(stop) = barriers.stop(self.position, to).filter(|_| self.look != ParticleLook::Streak) else {
+        let Some((at, axis)) = barriers.stop(self.position, to).filter(|_| self.look != ParticleLook::Streak) else {
             self.position = to;
             return;
         };
-        let (axis, along) = (stop.axis, 1 - stop.axis);
-        self.position = stop.at;
+        let along = 1 - axis;
+        self.position = at;
         self.velocity[along] += SPLAY * self.velocity[axis].abs() * self.velocity[along].signum();
         self.velocity[axis] = 0.0;
     }
@@ -148,16 +142,13 @@ impl Particles {
         let visible = view.visible();
         for particle in &self.all {
             if particle.position.cmpge(visible.min - 1.0).all() && particle.position.cmple(visible.max + 1.0).all() {
-                let (radius, colour) = particle.appearance();
+                let ((radius, colour), DVec2 { x, y }) = (particle.appearance(), particle.velocity);
                 let (length, rotation) = match particle.look {
                     ParticleLook::Arrow => {
                         draw_arrow(particle, colour, view, canvas);
                         continue;
                     }
-                    ParticleLook::Streak => (
-                        view.length(particle.velocity.length() * 0.1),
-                        (particle.velocity.x as f32).atan2(-particle.velocity.y as f32),
-                    ),
+                    ParticleLook::Streak => (view.length(particle.velocity.length() * 0.1), (x as f32).atan2(-y as f32)),
                     ParticleLook::Plume | ParticleLook::Dust | ParticleLook::Spark => (2.0 * radius, FRAC_PI_2),
                 };
                 let area = Area::around(view.point(particle.position), Vec2::new(2.0 * radius, length));
@@ -192,15 +183,6 @@ const COLUMNS: usize = 64;
 /// Gap that a stopped particle keeps to its surface, m.
 const CLEAR: f64 = 1e-3;
 
-/// The end of a path at a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BarrierStop {
-    /// A little before the surface, m.
-    pub at: DVec2,
-    /// The axis (0: x, 1: y) along which the path meets it.
-    pub axis: usize,
-}
-
 /// The surfaces of one moment.
 #[derive(Clone, Debug, Default)]
 pub struct Barriers {
@@ -223,8 +205,8 @@ impl Barriers {
         barriers
     }
 
-    /// The first stop on the straight path between two points, m. A path that begins inside a surface leads out of it.
-    pub fn stop(&self, from: DVec2, to: DVec2) -> Option<BarrierStop> {
+    /// The first stop on the straight path between two points, a little before a surface, m, and the axis (0: x, 1: y) along which it meets that. A path that begins inside a surface leads out of it.
+    pub fn stop(&self, from: DVec2, to: DVec2) -> Option<(DVec2, usize)> {
         if self.columns.is_empty() {
             return None;
         }
@@ -235,12 +217,12 @@ impl Barriers {
         let way = to - from;
         let mut at = from + way * part;
         at[axis] -= CLEAR * way[axis].signum();
-        Some(BarrierStop { at, axis })
+        Some((at, axis))
     }
 
     /// The distance from a point to the first stop along a unit vector, at most `reach`, m.
     pub fn room(&self, from: DVec2, along: DVec2, reach: f64) -> f64 {
-        self.stop(from, from + along * reach).map_or(reach, |stop| stop.at.distance(from))
+        self.stop(from, from + along * reach).map_or(reach, |(at, _)| at.distance(from))
     }
 
     fn column(&self, x: f64) -> usize {
@@ -352,7 +334,7 @@ mod tests {
         let deck = deck(Sides::ALL);
         for (from, to) in [((5.0, 1.0), (5.0, 3.0)), ((5.0, 1.0), (5.0, 1e6)), ((1.0, 0.5), (6.0, 4.0)), ((5.0, 2.0), (5.5, 2.1))] {
             let stop = deck.stop(DVec2::from(from), DVec2::from(to)).expect("it meets the deck");
-            assert!(stop.axis == 1 && (stop.at.y - 2.0).abs() < 2.0 * CLEAR && stop.at.y < 2.0, "{stop:?}");
+            assert!(stop.1 == 1 && (stop.0.y - 2.0).abs() < 2.0 * CLEAR && stop.0.y < 2.0, "{stop:?}");
         }
         for (from, to) in
             [((5.0, 1.0), (5.0, 1.9)), ((1.0, 1.0), (1.0, 9.0)), ((5.0, 2.1), (5.0, 9.0)), ((5.0, 1.999), (9.0, 1.999))]

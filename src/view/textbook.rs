@@ -11,8 +11,7 @@ use crate::game::{Controls, Game};
 use crate::number::scalar;
 use crate::physics::{BodyId, DVec2};
 use crate::words::tr;
-use std::borrow::Cow;
-use std::f64::consts::TAU;
+use std::{borrow::Cow, f64::consts::TAU};
 
 /// Side of a square of the paper, and the longer half of the body, canvas units.
 const SQUARE: f32 = 32.0;
@@ -126,8 +125,7 @@ fn corners(order: &[&NamedArrow]) -> Vec<DVec2> {
     [DVec2::ZERO].into_iter().chain(tips).collect()
 }
 
-/// Places all in these parts; `worth` is what a canvas unit is worth, N and N·s; `line` is the height of a line of words, and `width` says
-/// how wide words are.
+/// Places all in these parts; `worth` is that of a canvas unit, N and N·s; `line` the height of a line of words, and `width` how wide words are.
 pub fn lay_out(
     (forces, resultant): (&[NamedArrow], Option<&NamedArrow>),
     parts: &[Area; 2],
@@ -197,8 +195,7 @@ fn aside(arrows: &[Arrow], from: Vec2, to: Vec2) -> Vec2 {
     way.perp() * shifts.iter().find(free).copied().unwrap_or_default()
 }
 
-/// A place for words of that size beyond a point, beside it, or as near to it as there is one: on no other words, and if that can be on no
-/// arrow.
+/// A place for words of that size beyond a point, beside it, or as near to it as there is one: on no other words, and if that can be on no arrow.
 fn free_place(at: Vec2, way: Vec2, size: Vec2, (room, taken, arrows): (&Area, &[Area], &[Arrow])) -> Option<Area> {
     let beyond = |way: Vec2| Area::around(at + way * ((size * 0.5 * way.abs()).element_sum() + BESIDE), size);
     let near = [way, way.perp(), -way.perp(), (way + way.perp()).normalize_or_zero(), (way - way.perp()).normalize_or_zero()];
@@ -229,9 +226,6 @@ pub fn acting(game: &Game, id: BodyId) -> Cow<'_, Game> {
     Cow::Owned(first)
 }
 
-/// Forces and their resultant, what a canvas unit is worth, and the height of a line.
-type LayoutInputs = (Vec<NamedArrow>, Option<NamedArrow>, [f64; 2], f32);
-
 /// The picture from frame to frame.
 #[derive(Default)]
 pub struct BodyPicture {
@@ -239,8 +233,8 @@ pub struct BodyPicture {
     /// N and N·s a square.
     squares: [ScaleStep; 2],
     pub layout: PictureLayout,
-    /// Of what that is the layout.
-    laid: Option<LayoutInputs>,
+    /// Of what that is the layout: forces and their resultant, what a canvas unit is worth, and the height of a line.
+    laid: Option<(Vec<NamedArrow>, Option<NamedArrow>, [f64; 2], f32)>,
     parts: [Area; 2],
     /// Half the size of the drawn body, and whether it is round.
     body: (Vec2, bool),
@@ -333,7 +327,6 @@ impl BodyPicture {
     }
 }
 
-/// Squares from the middle, where the body is.
 fn draw_paper(canvas: &Canvas, part: &Area) {
     let (low, high, middle) = (part.min, part.max(), part.centre());
     for axis in [Vec2::X, Vec2::Y] {

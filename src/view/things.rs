@@ -1,14 +1,9 @@
 //! Objects and the ship with its flame: nothing that moves looks like the static world.
-//!
 //! Landings: the ship's legs give way under it, and a gentle one is praised.
-//!
-//! The wreck of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own: the game does not
-//! change.
+//! The wreck of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own: the game does not change.
 
 use super::art::{self, Pictures, Tile};
-use super::camera::Viewport;
-use super::theme;
-use super::zones::diamond;
+use super::{camera::Viewport, theme, zones::diamond};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, GhostPose, SHIP};
@@ -33,8 +28,7 @@ pub struct Brushes<'a> {
     pub canvas: &'a Canvas,
 }
 
-/// An object around `centre` (m): its picture, or a plain box or ball; key objects in their colour, with a glow and their sign.
-/// `light` multiplies the colours of all others.
+/// An object around `centre` (m): its picture, or a box or ball; keys in their colour, with glow and sign; `light` multiplies other colours.
 pub fn draw_object(object: &Object, centre: DVec2, light: Colour, brushes: Brushes<'_>) {
     let Brushes { pictures, view, canvas } = brushes;
     let bounds = Aabb::around(centre, object.size * 0.5);
@@ -66,7 +60,6 @@ pub fn draw_object(object: &Object, centre: DVec2, light: Colour, brushes: Brush
     }
 }
 
-/// A box with a frame and a brace.
 fn crate_box(canvas: &Canvas, area: Area, colour: Colour) {
     let dark = shaded(colour, 0.45);
     let frame = (area.size.x.min(area.size.y) * 0.14).clamp(1.5, 6.0);
@@ -78,7 +71,6 @@ fn crate_box(canvas: &Canvas, area: Area, colour: Colour) {
     canvas.rectangle_edge(area, 1.0, dark);
 }
 
-/// A ball with a rim, a band and a light on it.
 fn ball(canvas: &Canvas, area: Area, colour: Colour) {
     let half = area.size / 2.0;
     let outline = |scale: f32, offset: Vec2| ellipse(Area::around(area.centre() + offset, area.size * scale));
@@ -88,7 +80,6 @@ fn ball(canvas: &Canvas, area: Area, colour: Colour) {
     canvas.convex(&outline(0.18, half * Vec2::new(-0.34, -0.40)), Colour::WHITE.faded(0.85));
 }
 
-/// `light` scales the colour.
 fn shaded(colour: Colour, light: f32) -> Colour {
     Colour::new(colour.r * light, colour.g * light, colour.b * light, colour.a)
 }
@@ -187,14 +178,6 @@ const SPRING: f64 = 0.22;
 const FULL: f64 = 8.0;
 const DEPTH: f64 = 0.14;
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Landing {
-    /// m.
-    pub point: DVec2,
-    /// m/s.
-    pub speed: f64,
-}
-
 /// Whether the ship flies, and the compression of its legs.
 #[derive(Clone, Debug, Default)]
 pub struct Touchdown {
@@ -205,14 +188,14 @@ pub struct Touchdown {
 }
 
 impl Touchdown {
-    /// Takes up a tick; returns its landing.
-    pub fn after_tick(&mut self, game: &Game) -> Option<Landing> {
+    /// Takes up a tick; returns the place (m) and the speed (m/s) of its landing.
+    pub fn after_tick(&mut self, game: &Game) -> Option<(DVec2, f64)> {
         let flown = self.flown as f64 / game.tick_rate();
         let landing = landing(game.world().events()).filter(|_| flown >= FLOWN);
         let touches = landing.is_some() || touches(game);
         self.flown = if touches { 0 } else { self.flown + 1 };
-        if let Some(landing) = landing {
-            self.last = Some((landing.speed, 0.0));
+        if let Some((_, speed)) = landing {
+            self.last = Some((speed, 0.0));
         }
         landing
     }
@@ -230,14 +213,13 @@ impl Touchdown {
     }
 }
 
-/// Whether a body or surface touches the ship.
 fn touches(game: &Game) -> bool {
     let forces = game.world().forces(SHIP);
     forces.forces().iter().any(|force| matches!(force.kind, ForceKind::Reaction | ForceKind::Push))
 }
 
 /// The hardest hit of the ship from above in a tick with these events.
-fn landing(events: &[Event]) -> Option<Landing> {
+fn landing(events: &[Event]) -> Option<(DVec2, f64)> {
     let hits = events.iter().filter_map(|event| match *event {
         Event::Impact { a, b, point, speed, normal } => {
             // The normal points away from the hit body: up, where the ship is `a`.
@@ -246,11 +228,11 @@ fn landing(events: &[Event]) -> Option<Landing> {
                 Obstacle::Body(SHIP) => normal.y,
                 _ => 0.0,
             };
-            (up > 0.5).then_some(Landing { point, speed })
+            (up > 0.5).then_some((point, speed))
         }
         Event::Crushed { .. } | Event::Snapped { .. } | Event::Hooked { .. } => None,
     });
-    hits.max_by(|a, b| a.speed.total_cmp(&b.speed))
+    hits.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// Pause before the ship breaks, s.
@@ -308,7 +290,6 @@ impl Wreck {
     }
 }
 
-/// The hull is white, the belly slate, the trim orange.
 fn colour(piece: u32) -> Colour {
     match (piece % PIECES, piece / PIECES) {
         (1, 0) => theme::accent(),
@@ -319,7 +300,6 @@ fn colour(piece: u32) -> Colour {
     }
 }
 
-/// The level with pieces for bodies.
 fn definition(level: &Level, centre: DVec2, velocity: DVec2) -> WorldDef {
     let cell = SHIP_HALF * 2.0 / f64::from(PIECES);
     let piece = |i: u32| {
@@ -350,7 +330,7 @@ mod tests {
     #[test]
     fn a_landing_is_what_hits_the_ship_from_below() {
         let floor = Obstacle::Surface(0);
-        assert_eq!(landing(&[hit(0, floor, DVec2::NEG_Y)]).map(|landing| landing.speed), Some(3.0));
+        assert_eq!(landing(&[hit(0, floor, DVec2::NEG_Y)]).map(|(_, speed)| speed), Some(3.0));
         assert!(landing(&[hit(0, floor, DVec2::Y), hit(0, floor, DVec2::X), hit(1, floor, DVec2::NEG_Y)]).is_none());
         assert!(landing(&[hit(1, Obstacle::Body(SHIP), DVec2::Y)]).is_some(), "it lands on a crate");
     }

@@ -1,7 +1,5 @@
-//! Drawings shared by the screens: panels, buttons, headings.
-//!
-//! Medals of arrows: a ring, and in it one, two or three of them that lead up, so that colour is not the only cue; for a level's
-//! own mark four that lead out.
+//! Drawings shared by the screens: panels, buttons, headings. Medals of arrows: a ring, and in it one, two or three of them that lead up, so that
+//! colour is not the only cue; for a level's own mark four that lead out.
 
 use super::theme;
 use crate::draw::layout::{Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};

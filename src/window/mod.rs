@@ -188,7 +188,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
 fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), keys: Input) -> Input {
     Input {
         frame: *canvas.frame(),
-        pointer: canvas.to_canvas(Vec2::from(mouse_position())),
+        pointer: Vec2::from(mouse_position()) * canvas.dpi() * canvas.frame().pixel,
         click: is_mouse_button_pressed(MouseButton::Left),
         holding: is_mouse_button_down(MouseButton::Left),
         right_click: is_mouse_button_pressed(MouseButton::Right),

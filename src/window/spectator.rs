@@ -80,7 +80,7 @@ impl WindowSpectator {
     /// The body under the pointer, and the place in the level, m, where a game is shown.
     pub fn pointed(&mut self, screen: &dyn Screen, input: &Input) -> (Option<BodyId>, Option<DVec2>) {
         let Some(view) = &mut self.view else { return (None, None) };
-        view.point_at(input.pointer);
+        view.pointer = Some(input.pointer);
         let Some(GameScene { game, alpha, room, .. }) = screen.scene(&input.frame) else { return (None, None) };
         let place = view.viewport(game, alpha, &room).metres(input.pointer);
         (view.body_at(game, alpha, input.pointer, &room), Some(place))

@@ -1,10 +1,7 @@
-//! The art: the game paints its own pictures onto one sheet, so that they go to the graphics card in one batch; beside it
-//! the pictures of a level's author (sprites, a background).
-//!
-//! The ship's picture: a compact lander, nose up, painted in unit coordinates (−1 … 1 across its 1.7 m box). All of it lies in the
-//! circle that touches the box from inside: the box does not turn with the ship, and nothing drawn may leave it at any angle.
-//!
-//! Small pictures that the canvas tints: soft discs and glows, the flame, the hatching of death boxes.
+//! The art: the game paints its own pictures onto one sheet, so that they go to the graphics card in one batch; beside it the pictures of a level's
+//! author (sprites, a background). The ship's picture: a compact lander, nose up, painted in unit coordinates (−1 … 1 across its 1.7 m box). All of
+//! it lies in the circle that touches the box from inside: the box does not turn with the ship, and nothing drawn may leave it at any angle. Small
+//! pictures that the canvas tints: soft discs and glows, the flame, the hatching of death boxes.
 
 mod paint;
 pub mod rock;
@@ -15,9 +12,8 @@ use crate::draw::{Canvas, Colour, Image, Painting, Quads};
 use crate::level::{Level, SHIP_PIXELS};
 use crate::physics::{Aabb, DVec2, Material};
 use paint::TILE_METRES;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
+use std::{collections::BTreeMap, sync::LazyLock};
 
 /// Width and height of the sheet, pixels.
 pub const SHEET: usize = 1024;

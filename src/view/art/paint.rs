@@ -1,5 +1,4 @@
 //! A small painter of pictures in memory: shapes with smooth edges and textures from a function of the place.
-//!
 //! The materials as square patterns that tile, and the two movable plain shapes: all slate, each with a texture of its own.
 
 use crate::draw::Painting;
@@ -143,12 +142,10 @@ fn steel() -> Painting {
         let plate = SIZE / 2;
         let (px, py) = (x % plate, y % plate);
         let brush = (noise(x / 24, y, 11) - 0.5) * 9.0 + (noise(x / 7, y, 12) - 0.5) * 5.0;
-        let seam = if px == 0 || py == 0 {
-            -26.0
-        } else if px == 1 || py == 1 {
-            14.0
-        } else {
-            0.0
+        let seam = match px.min(py) {
+            0 => -26.0,
+            1 => 14.0,
+            _ => 0.0,
         };
         let near = |p: usize| p.min(plate - p) as f32 - 11.0;
         let (dx, dy) = (near(px), near(py));

@@ -61,8 +61,7 @@ fn cloudy(x: f32, y: f32, cells: usize, seed: u32) -> f32 {
     (0..4).map(|octave| field(x, y, cells << octave, seed + octave) * 0.5_f32.powi(octave as i32 + 1)).sum()
 }
 
-/// Blocks of a wall of `rows` courses, each block `across` of a course wide: distances (m) from a block's left and top edge and to its
-/// right and bottom edge, and a number of the block's own.
+/// A wall of `rows` courses of blocks, each `across` of a course wide: distances (m) to a block's left, top, right and bottom edge; its own number.
 fn course(x: f32, y: f32, rows: usize, across: f32) -> ([f32; 4], f32) {
     let row = (y * rows as f32) as usize;
     let along = (x + if row % 2 == 1 { across / 2.0 } else { 0.0 }).rem_euclid(1.0) / across;

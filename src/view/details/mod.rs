@@ -1,6 +1,5 @@
 //! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a
 //! legend with the arrows' scale. The pointer lights a line and its partner of the third law. This file lays out; `drawing` draws.
-//!
 //! The text of a box, letter by letter: the drawing shows it, and the tests read it.
 
 mod drawing;
@@ -36,7 +35,6 @@ const POINTER: f32 = 20.0;
 pub struct Looking<'a> {
     /// Drawn centres of the bodies, m.
     pub centres: &'a [DVec2],
-    /// The bodies with boxes.
     pub focus: &'a Focus,
     /// Canvas units.
     pub pointer: Option<Vec2>,
@@ -142,8 +140,7 @@ impl Details {
         }
     }
 
-    /// The bodies in view with boxes, nearest to the focus first: they choose first; the sort is stable. A followed body brings its
-    /// partners; a ship that plays no part has none, unless it is followed.
+    /// The bodies in view with boxes, nearest to the focus first: they choose first; a followed body brings its partners, an idle ship has none.
     fn shown(&self, game: &Game, looking: &Looking, view: &Viewport) -> Vec<BodyId> {
         let (centres, visible, focus) = (looking.centres, view.visible(), looking.focus);
         let in_play = |id: &BodyId| match focus.followed {
@@ -158,7 +155,6 @@ impl Details {
         shown
     }
 
-    /// Bodies and movers in view.
     fn moving<'a>(game: &'a Game, looking: &'a Looking, view: &'a Viewport) -> impl Iterator<Item = Area> + 'a {
         let bodies = (0..looking.centres.len() as u32).map(|id| bounds(game, looking, BodyId(id)));
         bodies
@@ -188,8 +184,7 @@ impl Details {
         Some((arrow.body, arrow.row))
     }
 
-    /// Lights the pointer's line and its partner. Returns the partners without a box, each made by `subject`, and the places of
-    /// partners that are no bodies, m.
+    /// Lights the pointer's line and its partner. Returns partners without a box, made by `subject`, and the places of those that are no bodies, m.
     fn light(
         &mut self,
         game: &Game,
@@ -308,9 +303,7 @@ const UNIT_WIDTH: usize = 4;
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoxLine {
-    /// The quantity, and the body that exerts it.
     pub label: String,
-    /// Number and unit.
     pub value: String,
     /// The force or impact, where the line has a colour.
     pub shown: Option<ArrowKind>,
@@ -322,7 +315,6 @@ pub struct BoxLine {
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoxText {
-    /// The body of the box.
     pub body: BodyId,
     pub title: String,
     pub lines: Vec<BoxLine>,

@@ -157,7 +157,6 @@ impl GameView {
         }
     }
 
-    /// The ship, or its wreck.
     fn draw_ship(&self, level: &Level, (centre, angle): (DVec2, f64), flicker: f64, (view, canvas): (&Viewport, &Canvas)) {
         if let Some(wreck) = self.wreck.as_ref().filter(|wreck| !wreck.is_whole()) {
             return wreck.draw(view, canvas);

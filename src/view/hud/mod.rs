@@ -53,7 +53,6 @@ pub struct HudScene<'a> {
     pub frame: &'a Frame,
     /// The panels on the screen besides the display.
     pub panels: &'a [Area],
-    /// The visible parts.
     pub shown: HudShown,
     pub settings: &'a Settings,
 }
@@ -152,8 +151,7 @@ fn stranded(scene: &HudScene, ship: Area, others: &[Area]) -> (String, Area) {
     (words, *area)
 }
 
-/// An arrow at the window's edge: head, the target's sign and the distance. A goal's sign is a box, with the ship's picture or a
-/// diamond in it; a key's is the key with its diamond.
+/// An arrow at the window's edge: head, sign and distance. A goal's sign is a box with the ship or a diamond in it; a key's is the key itself.
 fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
     let level = game.level();
     let panel = pointer.panel();
@@ -163,8 +161,7 @@ fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
         PointerTarget::Objective(index) => objective_colour(game, index),
         PointerTarget::Key(index) => key_colour(level.objects[index].key),
     };
-    // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, or its tip would be a
-    // corner.
+    // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, or its tip would be a corner.
     let reach = panel.stretch(panel.centre(), pointer.along, panel.size.length()).map_or(0.0, |(_, leaves)| leaves);
     let (tip, across) = (panel.centre() + pointer.along * (reach + aside::HEAD), pointer.along.perp() * (0.4 * aside::HEAD));
     let root = tip - pointer.along * (1.5 * aside::HEAD);
@@ -267,7 +264,6 @@ fn draw_speed(game: &Game, area: Area, strong: f32, canvas: &Canvas) {
     canvas.rectangle(Area::new(mark - 1.0, y - height, 2.0, 2.0 * height), theme::bad().faded(strong));
 }
 
-/// Red where a hit would damage.
 fn speed_colour(speed: f64) -> Colour {
     if speed >= DAMAGING_SPEED { theme::bad() } else { theme::text() }
 }
@@ -332,7 +328,6 @@ fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     canvas.text(shown, Vec2::new(x, area.centre().y), style);
 }
 
-/// From yellow-orange when full to red when empty.
 fn fuel_colour(share: f32) -> Colour {
     FUEL_EMPTY.mixed(FUEL_FULL, share.clamp(0.0, 1.0))
 }

@@ -123,8 +123,7 @@ impl Backdrop<'_> {
         self.floor - self.size.y * above - self.climb * PARALLAX[layer]
     }
 
-    /// A layer from its top, a height by the number of a step, down to the canvas' foot: it grows darker by `fog`'s colour; its top
-    /// has a line of light.
+    /// A layer from its top, a height by the number of a step, down to the canvas' foot, darker by `fog`'s colour; its top has a line of light.
     pub(super) fn ridge(
         &mut self,
         layer: usize,
@@ -178,7 +177,6 @@ impl Backdrop<'_> {
         self.fill(&points);
     }
 
-    /// A mast of two legs with braces.
     pub(super) fn lattice(&mut self, foot: Vec2, height: f32, width: f32, colour: Colour) {
         let at = |side: f32, up: f32| foot + Vec2::new(side * width / 2.0, -up);
         for side in [-1.0, 1.0] {

@@ -1,9 +1,7 @@
 //! The sky of a world of levels: a sky with its glows, three layers that move with the camera, small lights, and weather. All of it
 //! is drawn by code, in canvas units, in the air alone; plain palettes leave it out.
 
-use super::camera::Viewport;
-use super::terrain::drafting::chance;
-use super::theme;
+use super::{camera::Viewport, terrain::drafting::chance, theme};
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour, Quads};
 use crate::level::Landscape;
@@ -101,8 +99,7 @@ const PARALLAX: [f32; 3] = [0.06, 0.15, 0.30];
 /// The light of lamps on masts and over pads.
 pub const LAMP: Colour = Colour::hex(0xFFE6BC);
 
-/// Draws a world's sky in the `air`, canvas units; its ground lies about the level's `floor`, m. `time` (s) moves wheels, dust and
-/// bubbles.
+/// Draws a world's sky in the `air`, canvas units; its ground lies about the level's `floor`, m. `time` (s) moves wheels, dust and bubbles.
 pub fn draw(landscape: Landscape, (air, floor): (&[Area], f64), (view, canvas): (&Viewport, &Canvas), time: f64) {
     if theme::is_plain() {
         return;

@@ -55,7 +55,6 @@ impl Backdrop<'_> {
         self.ridge(2, (70.0, |i| base - 9.0 * rolling(i as f32 * 0.5, 23)), (Colour::hex(0x060A18), 0.6), None);
     }
 
-    /// A rocket on its pad, lit from the right.
     fn rocket(&mut self, foot: Vec2, height: f32) {
         let (dark, lit) = (self.palette.layers[1], Colour::hex(0x5468A4));
         for (offset, half, low, tall) in [(-20.0, 5.0, 0.0, 0.56), (20.0, 5.0, 0.0, 0.56), (0.0, 10.0, 0.0, 0.84)] {
@@ -117,7 +116,6 @@ impl Backdrop<'_> {
         self.dots((60, Vec2::new(9.0, -3.0), 2), (1.0, gold.faded(0.45)));
     }
 
-    /// A soft bar, thinner at its ends.
     fn streak(&mut self, centre: Vec2, reach: Vec2, colour: Colour) {
         let clear = colour.faded(0.0);
         for way in [Vec2::new(-1.0, -1.0), Vec2::new(1.0, -1.0), Vec2::ONE, Vec2::new(-1.0, 1.0)] {
@@ -126,7 +124,6 @@ impl Backdrop<'_> {
         }
     }
 
-    /// Steps of different heights with slanting faces.
     fn terrace(&mut self, layer: usize, (base, rise, wide): (f32, f32, f32), fog: (Colour, f32), light: Colour) {
         let step = wide / 5.0;
         let height = move |i: i64| {
@@ -168,7 +165,6 @@ impl Backdrop<'_> {
         }
     }
 
-    /// A tower with four sails that turn.
     fn mill(&mut self, foot: Vec2, height: f32, i: i64) {
         let fog = self.palette.sky_at((foot.y - height * 0.5) / self.size.y);
         let [body, sail] = [0.30, 0.45].map(|share| fog.mixed(Colour::hex(0xA48F58), share));
@@ -239,7 +235,6 @@ impl Backdrop<'_> {
         self.dots((36, Vec2::new(0.0, -26.0), 2), (1.3, light.faded(0.24)));
     }
 
-    /// Clumps of weed from the canvas' foot up.
     fn weeds(&mut self, layer: usize, tallest: f32, colour: Colour) {
         for (i, x) in self.across(layer, 118.0, 60.0).filter(|(i, _)| random(*i, 17) > 0.2) {
             for blade in 0..3_i64 {

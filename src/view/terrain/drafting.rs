@@ -13,8 +13,7 @@ const LONGER: f64 = 0.9;
 const LEAST: f64 = 0.2;
 /// The most strokes of a level: in a very large one they stand further apart.
 const MOST_STROKES: f64 = 40_000.0;
-/// The least and the greatest length with a dimension line, m: a shorter one has no room for its number, a longer one leaves the
-/// window.
+/// The least and the greatest length with a dimension line, m: a shorter one has no room for its number, a longer one leaves the window.
 const MEASURED: (f64, f64) = (3.0, 36.0);
 /// Depth of a dimension line in the rock, and the rock that it needs above and below it, m.
 const DEEP: f64 = 1.5;
@@ -24,12 +23,11 @@ const CELL: DVec2 = DVec2::new(14.0, 9.0);
 /// The most dimension lines of a level.
 const MOST_DIMENSIONS: usize = 400;
 
-/// A dimension line in the rock, parallel to the measured edge.
+/// A dimension line in the rock, parallel to the measured edge; lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dimension {
-    /// Its ends, m, the left or upper one first.
+    /// The left or upper end.
     pub from: DVec2,
-    /// m.
     pub to: DVec2,
     /// From the line to the measured edge, at right angles, m.
     pub to_edge: DVec2,
@@ -49,8 +47,7 @@ impl Dimension {
     }
 }
 
-/// The hatching along all edges of a kind: strokes at 45°, on lines that run through the whole level, each from the edge into the rock, m. No
-/// stroke leaves its kind, and strokes from opposite sides do not meet.
+/// Strokes at 45° from all edges of a kind into the rock, m, on lines through the whole level. None leaves its kind or meets one from the other side.
 pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<(DVec2, DVec2)> {
     let edges = || mass.edges.iter().filter(move |edge| edge.kind == kind);
     let step = STEP.max(edges().map(RockEdge::length).sum::<f64>() / MOST_STROKES);

@@ -1,22 +1,15 @@
 //! Light on the edges of the rock: the lit stretches and their brightness. Plain geometry in metres, y down.
-//!
 //! The ink of a level: its rock and its paper share one tint, by which a player knows the level again.
-//!
 //! Light in rock and shade in the air along it: meshes of vertex colours, finer where the light bends, made piece by piece as they come into view.
 
 use super::ROCK;
 use super::silhouette::{RockEdge, Silhouette};
-use crate::draw::layout::Vec2;
-use crate::draw::{Colour, Quad};
+use crate::draw::{Colour, Quad, layout::Vec2};
 use crate::level::Landscape;
 use crate::number::hash;
 use crate::physics::{Aabb, DVec2};
-use crate::view::art::rock::FACE_METRES;
-use crate::view::camera::Viewport;
-use crate::view::sky::WorldPalette;
-use crate::view::theme;
-use std::cell::RefCell;
-use std::collections::BTreeMap;
+use crate::view::{art::rock::FACE_METRES, camera::Viewport, sky::WorldPalette, theme};
+use std::{cell::RefCell, collections::BTreeMap};
 
 /// Length of the pieces of a lit edge, m: between their ends the light changes evenly.
 const PIECE: f64 = 0.5;
@@ -25,23 +18,20 @@ const FAINTEST: f32 = 0.01;
 /// Rays begin this far off the edge, m: a box on the edge does not shade it.
 const OFF: f64 = 0.02;
 
-/// A stretch of an edge with light on it.
+/// A stretch of an edge with light on it; lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lit {
-    /// m.
     pub from: DVec2,
-    /// m.
     pub to: DVec2,
     /// The unit vector into the rock.
     pub inward: DVec2,
-    /// The greatest depth of the light in the rock, m.
+    /// The greatest depth of the light in the rock.
     pub depth: f64,
     /// The light at both ends, 0 … 1.
     pub strength: [f32; 2],
 }
 
-/// The light of a glowing box (a point, where it has no size) on the edges that face it, up to `reach` (m) away, past `opaque`
-/// boxes.
+/// The light of a glowing box (a point, where it has no size) on the edges that face it, up to `reach` (m) away, past `opaque` boxes.
 pub fn cast(edges: &[RockEdge], source: &Aabb, reach: f64, opaque: &[Aabb]) -> Vec<Lit> {
     let lit_space = Aabb::new(source.min - reach, source.max + reach);
     let shading: Vec<&Aabb> = opaque.iter().filter(|solid| solid.touches(&lit_space, 0.0)).collect();
@@ -105,16 +95,7 @@ fn crosses(from: DVec2, to: DVec2, solid: &Aabb) -> bool {
 }
 
 /// The inks, pale and calm: none is near a colour with a meaning (objectives, hazards, forces are all far more vivid).
-const INKS: [Colour; 8] = [
-    Colour::hex(0x8FA8CC),
-    Colour::hex(0x86B8B4),
-    Colour::hex(0xA9A0CF),
-    Colour::hex(0xB9AE94),
-    Colour::hex(0x9DB48E),
-    Colour::hex(0xC09FA6),
-    Colour::hex(0x8DB3C9),
-    Colour::hex(0xA8AAB4),
-];
+const INKS: [u32; 8] = [0x8FA8CC, 0x86B8B4, 0xA9A0CF, 0xB9AE94, 0x9DB48E, 0xC09FA6, 0x8DB3C9, 0xA8AAB4];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tint {
@@ -123,7 +104,6 @@ pub struct Tint {
     pub deep: Colour,
     /// The world whose face the rock has.
     pub world: Option<Landscape>,
-    /// The rock's edge in the light.
     pub edge: Colour,
     /// The light of the level's world on edges that face it, and the unit vector towards it, y down.
     pub rim: Option<(Colour, DVec2)>,
@@ -142,23 +122,15 @@ impl Tint {
             Some(world) if !theme::is_plain() => Self::from_world(world),
             _ => {
                 let number: usize = name.parse().unwrap_or_else(|_| hash(name) as usize);
-                Self::from_ink(INKS[number.wrapping_sub(1) % INKS.len()])
+                Self::from_ink(Colour::hex(INKS[number.wrapping_sub(1) % INKS.len()]))
             }
         }
     }
 
     fn from_world(world: Landscape) -> Self {
         let WorldPalette { ink, rock: [lit, deep], rim, light, .. } = WorldPalette::of(world);
-        Self {
-            lit,
-            deep,
-            world: Some(world),
-            edge: ink.mixed(Colour::WHITE, 0.12),
-            rim: Some((rim, light)),
-            ink,
-            fine: ink.faded(0.05),
-            heavy: ink.faded(0.05),
-        }
+        let (faint, rim) = (ink.faded(0.05), Some((rim, light)));
+        Self { lit, deep, world: Some(world), rim, fine: faint, heavy: faint, ..Self::from_ink(ink) }
     }
 
     fn from_ink(ink: Colour) -> Self {
@@ -329,7 +301,7 @@ mod tests {
             let (a, b) = (luminance(a), luminance(b));
             (a.max(b) + 0.05) / (a.min(b) + 0.05)
         };
-        let plain = INKS.map(|ink| (Tint::from_ink(ink), theme::ground()));
+        let plain = INKS.map(|ink| (Tint::from_ink(Colour::hex(ink)), theme::ground()));
         let worlds = Landscape::ALL.iter().flat_map(|world| {
             WorldPalette::of(*world).sky.iter().map(|(_, sky)| (Tint::from_world(*world), *sky)).collect::<Vec<_>>()
         });

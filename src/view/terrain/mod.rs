@@ -25,9 +25,8 @@ pub const ROCK: usize = 0;
 /// Thickness of the rock round a level, m.
 const RIM: f64 = 32.0;
 
-/// The solid world of a level with the rock round it, which is its edge, and with the sources of its streams, which are drawn over
-/// it: rock has no edge against them. Movers, doors, fragile and one-way blocks are left out. The far side of the outer rock has no
-/// edge.
+/// The solid world of a level with the rock round it, which is its edge, and with the sources of its streams, which are drawn over it: rock has no
+/// edge against them. Movers, doors, fragile and one-way blocks are left out. The far side of the outer rock has no edge.
 pub fn mass(level: &Level) -> Silhouette {
     let all = level.bounds();
     let inside = |bounds: &Aabb| Aabb::new(bounds.min.max(all.min), bounds.max.min(all.max));
@@ -36,7 +35,7 @@ pub fn mass(level: &Level) -> Silhouette {
     let rim = frame(&Aabb::new(all.min - RIM, all.max + RIM), &all);
     let boxes: Vec<(Aabb, usize)> = rim.into_iter().map(|bounds| (bounds, ROCK)).chain(solids).chain(sources).collect();
     let mut mass = Silhouette::new(&boxes);
-    mass.keep_edges(&all);
+    mass.edges.retain(|edge| edge.bounds().touches(&all, 0.0));
     mass
 }
 

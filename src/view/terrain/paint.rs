@@ -8,10 +8,8 @@ use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::level::{Landscape, Level, SHIP_HALF};
 use crate::physics::{Aabb, DVec2, Material};
-use crate::view::art::rock::face_of;
-use crate::view::art::{self, Tile};
-use crate::view::camera::Viewport;
-use crate::view::{sky, theme};
+use crate::view::art::{self, Tile, rock::face_of};
+use crate::view::{camera::Viewport, sky, theme};
 
 /// Opacity of rock over an author's picture; materials are more opaque, so that they stay distinct.
 const ROCK_OVER_PICTURE: f32 = 0.45;
@@ -41,7 +39,6 @@ pub struct Terrain {
     pub tint: Tint,
     /// Boxes that cast shadows.
     opaque: Vec<Aabb>,
-    /// The light of each lamp.
     lit: Vec<Vec<Lit>>,
     over_picture: bool,
     /// The boxes without solid ground, or with glass alone, m.
@@ -312,10 +309,8 @@ fn draw_lit(lit: &[Lit], colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
         let [a, b] = strength.map(|s| colour.faded(s));
         let deep = LIT_DEPTH.min(depth * 0.75);
         let half = |c: Colour| c.faded(0.5);
-        quads.quad(
-            [corner(from, 0.0), corner(to, 0.0), corner(to, deep), corner(from, deep)],
-            [half(a), half(b), b.faded(0.0), a.faded(0.0)],
-        );
+        let corners = [corner(from, 0.0), corner(to, 0.0), corner(to, deep), corner(from, deep)];
+        quads.quad(corners, [half(a), half(b), b.faded(0.0), a.faded(0.0)]);
         let line = inward.as_vec2() * TOP_WIDTH;
         quads.quad([corner(from, 0.0), corner(to, 0.0), corner(to, 0.0) + line, corner(from, 0.0) + line], [a, b, b, a]);
     }

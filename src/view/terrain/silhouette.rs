@@ -15,12 +15,10 @@ pub enum Corner {
     Straight,
 }
 
-/// A straight piece of the outline, of one kind, with the mass on its right hand (y down).
+/// A straight piece of the outline, of one kind, with the mass on its right hand (y down); lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockEdge {
-    /// m.
     pub from: DVec2,
-    /// m.
     pub to: DVec2,
     /// The unit vector into the mass.
     pub inward: DVec2,
@@ -119,21 +117,19 @@ impl Silhouette {
         open
     }
 
-    /// Drops the edges beyond a box.
-    pub fn keep_edges(&mut self, within: &Aabb) {
-        self.edges.retain(|edge| edge.bounds().touches(within, 0.0));
-    }
-
     /// Whether all of a box lies in the mass and is of that kind.
     pub fn holds(&self, bounds: &Aabb, kind: usize) -> bool {
         let (lowest, last) = (self.heights.first(), self.heights.last());
         let inside = lowest.is_some_and(|top| *top <= bounds.min.y) && last.is_some_and(|bottom| *bottom >= bounds.max.y);
         let first = self.rows.partition_point(|row| self.heights[row.bottom] <= bounds.min.y);
+        let over = |span: &SweepSpan| {
+            span.kind == kind && self.columns[span.from] <= bounds.min.x && self.columns[span.to] >= bounds.max.x
+        };
         inside
             && self.rows[first..]
                 .iter()
                 .take_while(|row| self.heights[row.top] < bounds.max.y)
-                .all(|row| row.spans.iter().any(|span| span.kind == kind && self.spans_over(span, bounds.min.x, bounds.max.x)))
+                .all(|row| row.spans.iter().any(over))
     }
 
     /// The free distance from a point along a unit vector (parallel to neither axis) inside one kind, m; at most `limit`.
@@ -152,10 +148,6 @@ impl Silhouette {
             gone += across.min(down).max(TOUCH);
         }
         gone.min(limit)
-    }
-
-    fn spans_over(&self, span: &SweepSpan, from: f64, to: f64) -> bool {
-        self.columns[span.from] <= from && self.columns[span.to] >= to
     }
 
     fn row_at(&self, y: f64) -> Option<&SweepRow> {
