@@ -97,7 +97,7 @@ pub const PARTS: usize = 8;
 
 /// A sine, or noise around a frequency, that swells and fades.
 #[derive(Clone, Copy, Debug)]
-pub struct Part {
+pub struct SoundPart {
     /// Start, s.
     pub at: f32,
     /// At its beginning, Hz.
@@ -116,7 +116,7 @@ pub struct Part {
 
 /// The parts of a one-shot sound, present ones first.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Recipe(pub [Option<Part>; PARTS]);
+pub struct Recipe(pub [Option<SoundPart>; PARTS]);
 
 impl Recipe {
     /// The recipe of a cue. A harder strike (`loudness` 0 … 1) sounds brighter, besides being louder.
@@ -126,12 +126,12 @@ impl Recipe {
             Cue::Crash => {
                 let ring =
                     [struck(62.0, 0.22, 0.55), struck(131.0, 0.12, 0.3), struck(417.0, 0.1, 0.12), struck(1149.0, 0.07, 0.08)];
-                let crack = [burst(900.0, 0.5, 0.11, 0.75), Part { glide: -3.0, ..burst(3000.0, 0.6, 0.06, 0.5) }];
+                let crack = [burst(900.0, 0.5, 0.11, 0.75), SoundPart { glide: -3.0, ..burst(3000.0, 0.6, 0.06, 0.5) }];
                 Self::new(ring.into_iter().chain(crack))
             }
             // A major chord, strummed upwards, with its octaves; and a fifth that falls.
             Cue::Met => {
-                let bell = |at, pitch, peak| Part { at, ..struck(pitch, 0.26, peak) };
+                let bell = |at, pitch, peak| SoundPart { at, ..struck(pitch, 0.26, peak) };
                 let chord = [(0.0, 587.33, 0.16), (0.035, 739.99, 0.18), (0.07, 880.0, 0.28)];
                 let notes = chord.map(|(at, pitch, peak)| [bell(at, pitch, peak), bell(at + 0.01, 2.0 * pitch, 0.3 * peak)]);
                 Self::new(notes.into_iter().flatten())
@@ -140,30 +140,30 @@ impl Recipe {
             // The five notes of the music's scale and the octave.
             Cue::Success => {
                 let notes = [523.25, 587.33, 659.26, 783.99, 880.0, 1046.5].into_iter().enumerate();
-                let bell = |(place, pitch)| Part { at: 0.085 * place as f32, swell: 0.004, ..struck(pitch, 0.42, 0.22) };
+                let bell = |(place, pitch)| SoundPart { at: 0.085 * place as f32, swell: 0.004, ..struck(pitch, 0.42, 0.22) };
                 Self::new(notes.map(bell))
             }
             Cue::Death => Self::new([
-                Part { glide: -2.2, swell: 0.01, ..struck(311.1, 0.3, 0.32) },
-                Part { glide: -2.2, swell: 0.01, ..struck(220.0, 0.32, 0.32) },
-                Part { glide: -0.5, ..struck(55.0, 0.25, 0.5) },
+                SoundPart { glide: -2.2, swell: 0.01, ..struck(311.1, 0.3, 0.32) },
+                SoundPart { glide: -2.2, swell: 0.01, ..struck(220.0, 0.32, 0.32) },
+                SoundPart { glide: -0.5, ..struck(55.0, 0.25, 0.5) },
                 burst(500.0, 0.4, 0.2, 0.9),
-                Part { glide: -2.5, ..burst(2500.0, 0.7, 0.09, 0.5) },
+                SoundPart { glide: -2.5, ..burst(2500.0, 0.7, 0.09, 0.5) },
             ]),
             Cue::Splash => Self::new([
-                Part { glide: -3.0, swell: 0.015, ..burst(1800.0, 0.7, 0.12, 0.7) },
-                Part { at: 0.05, glide: 2.0, swell: 0.03, ..burst(500.0, 1.0, 0.14, 0.5) },
+                SoundPart { glide: -3.0, swell: 0.015, ..burst(1800.0, 0.7, 0.12, 0.7) },
+                SoundPart { at: 0.05, glide: 2.0, swell: 0.03, ..burst(500.0, 1.0, 0.14, 0.5) },
             ]),
             // A bubble rings at the pitch of its size, and rises as it nears the surface.
-            Cue::Bubble => Self::new([Part { glide: 7.0, swell: 0.006, ..struck(380.0 + 900.0 * loudness, 0.03, 0.5) }]),
+            Cue::Bubble => Self::new([SoundPart { glide: 7.0, swell: 0.006, ..struck(380.0 + 900.0 * loudness, 0.03, 0.5) }]),
             Cue::Press => Self::new([struck(659.26, 0.05, 0.3), struck(1318.5, 0.03, 0.12), burst(2500.0, 0.8, 0.006, 0.3)]),
             Cue::Move => Self::new([struck(880.0, 0.018, 0.16)]),
-            Cue::Jump => Self::new([Part { glide: 5.0, swell: 0.004, ..struck(247.0, 0.08, 0.4) }]),
+            Cue::Jump => Self::new([SoundPart { glide: 5.0, swell: 0.004, ..struck(247.0, 0.08, 0.4) }]),
             Cue::Click => Self::new([struck(900.0, 0.008, 0.3), struck(2200.0, 0.004, 0.5)]),
         }
     }
 
-    pub fn new(parts: impl IntoIterator<Item = Part>) -> Self {
+    pub fn new(parts: impl IntoIterator<Item = SoundPart>) -> Self {
         let mut recipe = Self::default();
         recipe.0.iter_mut().zip(parts).for_each(|(to, part)| *to = Some(part));
         recipe
@@ -172,7 +172,7 @@ impl Recipe {
 
 /// Modes of a struck object: each with its pitch (Hz), its decay (s) and its share.
 fn knock(stuff: Stuff, loudness: f32) -> Recipe {
-    let (modes, noise): (&[(f32, f32, f32)], Part) = match stuff {
+    let (modes, noise): (&[(f32, f32, f32)], SoundPart) = match stuff {
         Stuff::Asphalt => (&[(88.0, 0.05, 0.6), (147.0, 0.035, 0.3)], burst(300.0, 0.7, 0.025, 0.6)),
         // A free bar: 1 : 2.756 : 5.404 : 8.933.
         Stuff::Steel => {
@@ -186,23 +186,23 @@ fn knock(stuff: Stuff, loudness: f32) -> Recipe {
     let bright = 0.25 + 0.75 * loudness;
     let struck =
         |(i, (pitch, fade, peak)): (usize, &(f32, f32, f32))| struck(*pitch, *fade, if i == 0 { *peak } else { peak * bright });
-    Recipe::new(modes.iter().enumerate().map(struck).chain([Part { peak: noise.peak * bright, ..noise }]))
+    Recipe::new(modes.iter().enumerate().map(struck).chain([SoundPart { peak: noise.peak * bright, ..noise }]))
 }
 
 /// A small bell with its octave and a high mode.
-fn bell(at: f32, pitch: f32, peak: f32) -> [Part; 3] {
-    let mode = |(ratio, fade, share)| Part { at, ..struck(pitch * ratio, fade, peak * share) };
+fn bell(at: f32, pitch: f32, peak: f32) -> [SoundPart; 3] {
+    let mode = |(ratio, fade, share)| SoundPart { at, ..struck(pitch * ratio, fade, peak * share) };
     [(1.0, 0.26, 1.0), (2.0, 0.16, 0.35), (5.4, 0.06, 0.12)].map(mode)
 }
 
 /// A tone without attack.
-pub const fn struck(pitch: f32, fade: f32, peak: f32) -> Part {
-    Part { at: 0.0, pitch, glide: 0.0, narrowness: None, swell: 0.0015, fade, peak }
+pub const fn struck(pitch: f32, fade: f32, peak: f32) -> SoundPart {
+    SoundPart { at: 0.0, pitch, glide: 0.0, narrowness: None, swell: 0.0015, fade, peak }
 }
 
 /// Noise without attack.
-pub const fn burst(pitch: f32, narrowness: f32, fade: f32, peak: f32) -> Part {
-    Part { narrowness: Some(narrowness), ..struck(pitch, fade, peak) }
+pub const fn burst(pitch: f32, narrowness: f32, fade: f32, peak: f32) -> SoundPart {
+    SoundPart { narrowness: Some(narrowness), ..struck(pitch, fade, peak) }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! goals broken chords. Its notes come from a number: a scale, a pace, and motifs that return changed. Each world has an ensemble: scales, a pace,
 //! the sound of its plucked notes and of its beat.
 
-use super::cue::{Part, Recipe, burst, struck};
+use super::cue::{Recipe, SoundPart, burst, struck};
 use super::filter::{Glide, LowPass, WhiteNoise};
 use super::voice::{Choir, Voice};
 use rand::{RngExt, SeedableRng};
@@ -108,7 +108,7 @@ impl Music {
     fn swell(&mut self, chord: [f32; 3], length: f32) {
         let recipe = Recipe::new((0..2 * chord.len()).map(|i| {
             let (pitch, share) = (chord[i / 2] * [0.9988, 1.0012][i % 2], [1.0, 0.7, 0.5][i / 2]);
-            Part { swell: 0.3 * length, ..struck(pitch, 0.4 * length, CHORD * share) }
+            SoundPart { swell: 0.3 * length, ..struck(pitch, 0.4 * length, CHORD * share) }
         }));
         self.choir.sing(Voice::new(&recipe, self.rate, [1.0, 1.0]));
     }
@@ -327,18 +327,18 @@ impl Ensemble {
         Recipe::new(self.partials.into_iter().enumerate().map(|(i, (ratio, fade, share))| {
             // A harder strike is brighter.
             let bright = if i == 1 { strength } else { 1.0 };
-            Part { swell: self.attack, ..struck(pitch * ratio, fade, peak * strength * share * bright) }
+            SoundPart { swell: self.attack, ..struck(pitch * ratio, fade, peak * strength * share * bright) }
         }))
     }
 
     /// The bass: one low tone and its octave.
     pub fn bass(&self, pitch: f32, peak: f32) -> Recipe {
-        let tone = |pitch, fade, peak| Part { swell: 0.006 + 0.3 * self.attack, ..struck(pitch, fade, peak) };
+        let tone = |pitch, fade, peak| SoundPart { swell: 0.006 + 0.3 * self.attack, ..struck(pitch, fade, peak) };
         Recipe::new([tone(pitch, 0.22, peak), tone(2.0 * pitch, 0.1, 0.3 * peak)])
     }
 
     pub fn brush(&self, peak: f32) -> Recipe {
-        Recipe::new([Part { swell: 0.004, ..burst(self.brush.0, 0.9, self.brush.1, peak) }])
+        Recipe::new([SoundPart { swell: 0.004, ..burst(self.brush.0, 0.9, self.brush.1, peak) }])
     }
 }
 

@@ -1,6 +1,6 @@
 //! Plays a [`Recipe`], sample by sample. Nothing is allocated: a fixed number of voices is used again and again.
 
-use super::cue::{PARTS, Part, Recipe};
+use super::cue::{PARTS, Recipe, SoundPart};
 use super::filter::{BandPass, WhiteNoise};
 use std::f32::consts::TAU;
 
@@ -22,13 +22,13 @@ pub struct Voice {
 
 #[derive(Clone, Copy, Debug)]
 struct PlayedPart {
-    part: Part,
+    part: SoundPart,
     envelope: Envelope,
-    source: Source,
+    source: PartSource,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Source {
+enum PartSource {
     /// A unit vector, whose y is the sine, and how it turns.
     Sine([f32; 2], [f32; 2]),
     /// With its narrowness.
@@ -46,7 +46,7 @@ struct Envelope {
 }
 
 impl Envelope {
-    fn new(rate: f32, Part { at, swell, fade, .. }: Part) -> Self {
+    fn new(rate: f32, SoundPart { at, swell, fade, .. }: SoundPart) -> Self {
         let swells = 1.0 / (swell * rate).max(1.0);
         Self { begins: (at * rate) as u32, swollen: 0.0, swells, level: 1.0, keeps: (-1.0 / (fade * rate)).exp() }
     }
@@ -58,7 +58,7 @@ impl Envelope {
     }
 }
 
-impl Source {
+impl PartSource {
     fn next(&mut self, noise: &mut WhiteNoise) -> f32 {
         match self {
             Self::Sine(at, [c, s]) => {
@@ -75,9 +75,13 @@ impl Voice {
     pub fn new(recipe: &Recipe, rate: f32, gains: [f32; 2]) -> Self {
         let ends = recipe.0.iter().flatten().map(|part| part.at + part.swell + FADES * part.fade);
         let length = (ends.fold(0.0, f32::max) * rate) as u32;
-        let played = |part: Part| {
-            let hiss = part.narrowness.map(|narrowness| Source::Hiss(BandPass::default(), narrowness));
-            PlayedPart { part, envelope: Envelope::new(rate, part), source: hiss.unwrap_or(Source::Sine([1.0, 0.0], [1.0, 0.0])) }
+        let played = |part: SoundPart| {
+            let hiss = part.narrowness.map(|narrowness| PartSource::Hiss(BandPass::default(), narrowness));
+            PlayedPart {
+                part,
+                envelope: Envelope::new(rate, part),
+                source: hiss.unwrap_or(PartSource::Sine([1.0, 0.0], [1.0, 0.0])),
+            }
         };
         Self { rate, parts: recipe.0.map(|part| part.map(played)), age: 0, length, gains }
     }
@@ -111,14 +115,14 @@ impl Voice {
             let t = age.saturating_sub(envelope.begins) as f32 / rate;
             let pitch = (part.pitch * (part.glide * t).exp2()).min(HIGHEST * rate);
             match source {
-                Source::Sine(at, turn) => {
+                PartSource::Sine(at, turn) => {
                     let (s, c) = (TAU * pitch / rate).sin_cos();
                     *turn = [c, s];
                     // Rounding changes the vector's length over time.
                     let length = at[0].hypot(at[1]);
                     *at = at.map(|side| side / length);
                 }
-                Source::Hiss(filter, narrowness) => filter.set(rate, pitch, *narrowness),
+                PartSource::Hiss(filter, narrowness) => filter.set(rate, pitch, *narrowness),
             }
         }
     }
@@ -175,7 +179,7 @@ mod tests {
 
     #[test]
     fn a_gliding_tone_keeps_its_amplitude() {
-        let tone = Part { at: 0.0, pitch: 100.0, glide: 1.0, narrowness: None, swell: 0.0, fade: 1e6, peak: 0.5 };
+        let tone = SoundPart { at: 0.0, pitch: 100.0, glide: 1.0, narrowness: None, swell: 0.0, fade: 1e6, peak: 0.5 };
         let recipe = Recipe::new([tone]);
         let mut voice = Voice::new(&recipe, 48_000.0, [1.0, 0.5]);
         let mut noise = WhiteNoise::new(0);

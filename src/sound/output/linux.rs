@@ -6,7 +6,7 @@
 //! device is used by the one thread that opened it.
 #![allow(unsafe_code)]
 
-use super::player::Why;
+use super::Why;
 use crate::sound::{Feed, Mixer};
 use crate::system_library::{function, library};
 use std::ffi::{c_char, c_int, c_long, c_uint, c_ulong, c_void};

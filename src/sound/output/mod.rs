@@ -12,6 +12,18 @@ pub use player::Output;
 #[cfg(browser)]
 pub use crate::web::Output;
 
+/// The reason for which playing ends.
+#[cfg(any(target_os = "linux", windows, target_os = "macos"))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Why {
+    /// The game has ended, or there is no library.
+    Over,
+    /// There is no device now.
+    NoDevice,
+    /// The device vanished.
+    Lost,
+}
+
 /// No output is known on this system.
 #[cfg(not(any(target_os = "linux", windows, target_os = "macos", browser)))]
 #[derive(Debug)]

@@ -1,5 +1,6 @@
 //! The thread that plays, and looks for a device again where there is none.
 
+use super::Why;
 #[cfg(target_os = "linux")]
 use super::linux::play;
 use crate::sound::Feed;
@@ -11,17 +12,6 @@ use std::{thread::JoinHandle, time::Duration};
 const RETRY: [Duration; 2] = [Duration::from_secs(4), Duration::from_secs(60)];
 /// The time in which the thread must release the device at the end; then it is left to the system.
 const FAREWELL: Duration = Duration::from_millis(200);
-
-/// The reason for which playing ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Why {
-    /// The game has ended, or there is no library.
-    Over,
-    /// There is no device now.
-    NoDevice,
-    /// The device vanished.
-    Lost,
-}
 
 pub struct Output {
     ends: Arc<AtomicBool>,
