@@ -124,14 +124,9 @@ impl Canvas {
         Vec2::new(left, at.y + height * if style.middle { HALF_CAPITAL } else { ASCENT })
     }
 
-    /// In whole logical pixels.
-    pub fn font_size(&self, size: f32) -> u16 {
-        (self.frame.text_height(size) / self.frame.pixel / self.dpi).ceil() as u16
-    }
-
-    /// In whole physical pixels.
+    /// In whole physical pixels, a whole number of logical ones.
     pub fn glyph_height(&self, size: f32) -> f32 {
-        (f32::from(self.font_size(size)) * self.dpi).ceil()
+        ((self.frame.text_height(size) / self.frame.pixel / self.dpi).ceil() * self.dpi).ceil()
     }
 
     /// Canvas units.
@@ -248,6 +243,6 @@ mod tests {
         assert_eq!(from.x + canvas.width("words", style), 100.0);
         canvas.begin(Frame::default(), 2.0, false);
         assert!(canvas.shapes().is_empty());
-        assert_eq!((canvas.font_size(TEXT), canvas.glyph_height(TEXT)), (9, 18.0));
+        assert_eq!(canvas.glyph_height(TEXT), 18.0);
     }
 }

@@ -265,8 +265,7 @@ mod tests {
         let mut back = square;
         back.reverse();
         for corners in [square, back] {
-            let mut soft = Soft::default();
-            soft.pixel = 2.0;
+            let mut soft = Soft { pixel: 2.0, ..Soft::default() };
             soft.fill(&Contour::Convex(corners.to_vec()), Colour::WHITE);
             let outermost = &soft.vertices[soft.vertices.len() - 4..];
             for (corner, (point, colour)) in corners.iter().zip(outermost) {

@@ -156,8 +156,7 @@ impl Colour {
 
     /// For a projector and for paper: light becomes dark and dark light, and the hue stays.
     pub fn on_white(self) -> Self {
-        let linear =
-            [self.r, self.g, self.b].map(|part| if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) });
+        let linear = [self.r, self.g, self.b].map(|c| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) });
         let luminance = (0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]).max(1e-6);
         let lightness = if luminance > 216.0 / 24389.0 { 116.0 * luminance.cbrt() - 16.0 } else { luminance * 24389.0 / 27.0 };
         let above = ON_WHITE.iter().position(|(from, _)| lightness <= *from).unwrap_or(ON_WHITE.len() - 1).max(1);

@@ -162,8 +162,7 @@ pub fn csv(curves: &[Exported]) -> String {
 pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
     let across = curves.first().map_or(Quantity::Time, |exported| exported.curve.across);
     let places = |track: &BodyTrack| track.places(window);
-    let members: Vec<ChartMember> =
-        curves.iter().map(|exported| (exported.number, exported.curve, places(exported.track))).collect();
+    let members: Vec<ChartMember> = curves.iter().map(|it| (it.number, it.curve, places(it.track))).collect();
     let chart = Chart::of(across, window, &members);
     let of_number = |number: usize| curves.iter().find(|exported| exported.number == number);
     let lane = |lane: &ChartLane| {

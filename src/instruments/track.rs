@@ -167,8 +167,7 @@ impl BodyTrack {
                 forces.push(force);
             }
         }
-        let felt: DVec2 =
-            game.world().impulses().iter().filter(|hit| hit.impact).filter_map(|hit| Some(hit.on(self.body)?.0)).sum();
+        let felt: DVec2 = game.world().impulses().iter().filter(|it| it.impact).filter_map(|it| Some(it.on(self.body)?.0)).sum();
         if place > 0 && felt != DVec2::ZERO {
             self.impulses.resize(place, DVec2::ZERO);
             self.impulses.push(upwards(felt));

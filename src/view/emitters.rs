@@ -49,9 +49,8 @@ pub struct Emitters {
 impl Emitters {
     pub fn new(level: &Level) -> Self {
         let keys = (0..level.objects.len()).filter(|&i| level.objects[i].key.is_some());
-        let all = ((0..level.objectives.len()).map(Emitter::Objective))
-            .chain(keys.map(Emitter::Key))
-            .chain((0..level.streams.len()).map(Emitter::Stream));
+        let streams = (0..level.streams.len()).map(Emitter::Stream);
+        let all = (0..level.objectives.len()).map(Emitter::Objective).chain(keys.map(Emitter::Key)).chain(streams);
         Self { all: all.map(|emitter| (emitter, 0.0)).collect(), plume: 0.0, felt: [0.0; 2], strength: 0.0, way: 1.0 }
     }
 

@@ -158,8 +158,7 @@ fn draw_run(wire: &[DVec2; 3], part: f64, view: &Viewport, canvas: &Canvas) {
     let line = |from: f64, to: f64, width: f32, colour: Colour| {
         // The corner belongs to a stretch around it.
         let corner = (from < lengths[0] && lengths[0] < to).then_some(wire[1]);
-        let points: Vec<Vec2> =
-            [Some(at(from)), corner, Some(at(to))].into_iter().flatten().map(|point| view.point(point)).collect();
+        let points: Vec<Vec2> = [Some(at(from)), corner, Some(at(to))].into_iter().flatten().map(|at| view.point(at)).collect();
         points.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], width, colour));
     };
     let head = part * (1.0 + RUN_LENGTH) * all;

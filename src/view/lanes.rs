@@ -55,8 +55,7 @@ impl LaneAxes<'_> {
 /// A sheet of lanes with its legend on a panel.
 pub fn draw(canvas: &Canvas, panel: Area, sheet: &Sheet) {
     widgets::panel(canvas, panel);
-    let across: Vec<(f64, String)> =
-        sheet.across.named(NAMED).into_iter().map(|(value, name)| (sheet.across.part(value), name)).collect();
+    let across: Vec<_> = sheet.across.named(NAMED).into_iter().map(|(value, name)| (sheet.across.part(value), name)).collect();
     let width = panel.size.x - LEFT - LEGEND - LEFT / 2.0;
     let room = Area::new(panel.min.x + LEFT, panel.min.y + TOP, width, panel.size.y - TOP - BOTTOM);
     let pitch = (room.size.y + BETWEEN) / sheet.strips.len().max(1) as f32;

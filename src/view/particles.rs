@@ -233,8 +233,13 @@ impl Barriers {
 
 /// The free part (0 … 1) of a path before it enters a box through a solid face, and the axis of that face.
 fn meets(bounds: &Aabb, sides: Sides, from: DVec2, to: DVec2) -> Option<(f64, usize)> {
-    let way = to - from;
-    let (mut enters, mut leaves, mut axis) = (f64::NEG_INFINITY, 1.0_f64, 0);
+    let (enters, leaves, axis) = stretch(bounds, from, to - from)?;
+    (enters >= 0.0 && enters < leaves.min(1.0) && sides.face(axis, to[axis] - from[axis] < 0.0)).then_some((enters, axis))
+}
+
+/// The parts of a way at which a line enters and leaves a box, and the axis along which it enters; `None` where it passes by.
+pub fn stretch(bounds: &Aabb, from: DVec2, way: DVec2) -> Option<(f64, f64, usize)> {
+    let (mut enters, mut leaves, mut axis) = (f64::NEG_INFINITY, f64::INFINITY, 0);
     for i in 0..2 {
         if way[i] == 0.0 {
             if from[i] <= bounds.min[i] || from[i] >= bounds.max[i] {
@@ -248,7 +253,7 @@ fn meets(bounds: &Aabb, sides: Sides, from: DVec2, to: DVec2) -> Option<(f64, us
         }
         leaves = leaves.min(a.max(b));
     }
-    (enters >= 0.0 && enters < leaves && sides.face(axis, way[axis] < 0.0)).then_some((enters, axis))
+    Some((enters, leaves, axis))
 }
 
 #[cfg(test)]
@@ -273,8 +278,8 @@ mod tests {
         let bounds = Aabb::new(DVec2::new(-5.0, 2.0), DVec2::new(5.0, 2.2));
         let surfaces = vec![SurfaceDef::fixed(bounds, Material::STEEL)];
         let world = World::new(WorldDef { surfaces, ..WorldDef::default() }).expect("a valid world");
-        let mut pool = Particles::default();
-        pool.barriers = Barriers::new(&world, &Aabb::around(DVec2::ZERO, DVec2::splat(8.0)));
+        let barriers = Barriers::new(&world, &Aabb::around(DVec2::ZERO, DVec2::splat(8.0)));
+        let mut pool = Particles { barriers, ..Particles::default() };
         let velocity = DVec2::new(0.5, 7.0);
         for look in [ParticleLook::Plume, ParticleLook::Dust, ParticleLook::Spark, ParticleLook::Streak] {
             pool.launch(DVec2::ZERO, Particle { velocity, position: DVec2::new(0.0, 3.0), ..particle(look, 2.0) });

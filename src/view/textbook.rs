@@ -226,6 +226,9 @@ pub fn acting(game: &Game, id: BodyId) -> Cow<'_, Game> {
     Cow::Owned(first)
 }
 
+/// Forces and their resultant, what a canvas unit is worth, and the height of a line.
+type LayoutInputs = (Vec<NamedArrow>, Option<NamedArrow>, [f64; 2], f32);
+
 /// The picture from frame to frame.
 #[derive(Default)]
 pub struct BodyPicture {
@@ -233,8 +236,8 @@ pub struct BodyPicture {
     /// N and N·s a square.
     squares: [ScaleStep; 2],
     pub layout: PictureLayout,
-    /// Of what that is the layout: forces and their resultant, what a canvas unit is worth, and the height of a line.
-    laid: Option<(Vec<NamedArrow>, Option<NamedArrow>, [f64; 2], f32)>,
+    /// Of what that is the layout.
+    laid: Option<LayoutInputs>,
     parts: [Area; 2],
     /// Half the size of the drawn body, and whether it is round.
     body: (Vec2, bool),

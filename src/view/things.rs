@@ -106,8 +106,7 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, vie
     let (centre, rotation) = (ship.centre, ship.angle.to_radians());
     let (sin, cos) = rotation.sin_cos();
     let (nose, right) = (DVec2::new(sin, -cos), DVec2::new(cos, sin));
-    let flames: &[(f64, f64, f64)] =
-        if way > 0.0 { &[(0.0, 0.80, 1.0)] } else { &[(-RETRO.0, RETRO.1, 0.55), (RETRO.0, RETRO.1, 0.55)] };
+    let flames: &[_] = if way > 0.0 { &[(0.0, 0.80, 1.0)] } else { &[(-RETRO.0, RETRO.1, 0.55), (RETRO.0, RETRO.1, 0.55)] };
     if strength > 0.0 {
         for &(side, out, size) in flames {
             let whole = FLAME * size * strength * (0.85 + 0.15 * flicker);

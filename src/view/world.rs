@@ -57,8 +57,7 @@ fn paper_lines(view: &Viewport, canvas: &Canvas, heavy: bool, colour: Colour) {
 
 /// The areas of the words, m: at least the room that they need.
 pub fn text_areas(level: &Level) -> Vec<Aabb> {
-    let area =
-        |text: &Text| Aabb::new(text.position, text.position + text_room(tr(&text.text), text.size as f32).as_dvec2() * SNAPPED);
+    let area = |it: &Text| Aabb::new(it.position, it.position + text_room(tr(&it.text), it.size as f32).as_dvec2() * SNAPPED);
     level.texts.iter().map(area).collect()
 }
 

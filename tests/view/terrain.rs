@@ -3,10 +3,9 @@
 use crate::support::shipped::{fixture, levels, load};
 use proptest::prelude::*;
 use resultant::physics::{Aabb, DVec2};
-use resultant::view::terrain::drafting::{Dimension, dimensions, hatching};
 use resultant::view::terrain::light::cast;
 use resultant::view::terrain::silhouette::{Corner, Silhouette};
-use resultant::view::terrain::{ROCK, kind, mass, parts};
+use resultant::view::terrain::{Dimension, ROCK, dimensions, hatching, kind, mass, parts};
 
 /// A box by its top left corner and its size, m.
 fn area(x: f64, y: f64, width: f64, height: f64) -> Aabb {

@@ -133,8 +133,7 @@ impl Details {
         }
         let Some(followed) = focus.followed.filter(|id| id.index() < game.world().bodies().len()) else { return };
         let causes = facts(game, followed).rows.into_iter().flat_map(|row| row.causes);
-        let bodies: Vec<BodyId> =
-            causes.filter_map(|cause| if let Source::Body(body) = cause { Some(body) } else { None }).collect();
+        let bodies: Vec<_> = causes.filter_map(|cause| if let Source::Body(body) = cause { Some(body) } else { None }).collect();
         if !bodies.is_empty() {
             self.partners.1 = bodies;
         }
@@ -223,8 +222,7 @@ impl Details {
     /// at the number of full ones of the frame before, for it seldom changes. The first body always has one, if need be in the place of
     /// the legend, beside what is `firm`.
     fn place_boxes(&mut self, subjects: &[ArrowSubject], frame: &Frame, (taken, firm): (&[Area], &[Area]), kept_clear: &[Area]) {
-        let texts: Vec<[BoxText; 2]> =
-            subjects.iter().map(|subject| [false, true].map(|short| BoxText::new(&subject.facts, short))).collect();
+        let texts: Vec<_> = subjects.iter().map(|subject| [false, true].map(|short| BoxText::new(&subject.facts, short))).collect();
         let sizes: Vec<[Vec2; 2]> = texts.iter().map(|texts| [0, 1].map(|short| texts[short].size(frame))).collect();
         let try_full = |full: usize| {
             let wish = |(i, subject): (usize, &ArrowSubject)| BoxWish {
@@ -258,8 +256,7 @@ impl Details {
             self.legend.area.take_if(|legend| area.is_some_and(|area| area.gap(legend) < 0.0));
             full = usize::from(area.is_some_and(|area| area.size == sizes[0][0]));
             let beside: Vec<Area> = taken.iter().copied().chain(area).collect();
-            let wish =
-                |(subject, sizes): (&ArrowSubject, &[Vec2; 2])| BoxWish { object: subject.object, size: sizes[1], before: None };
+            let wish = |(it, sizes): (&ArrowSubject, &[Vec2; 2])| BoxWish { object: it.object, size: sizes[1], before: None };
             let rest: Vec<BoxWish> = subjects.iter().zip(&sizes).skip(1).map(wish).collect();
             best = [area].into_iter().chain(boxes::place(&rest, frame.area(), &beside, kept_clear)).collect();
         }

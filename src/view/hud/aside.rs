@@ -19,10 +19,6 @@ pub enum HudPart {
     Race,
 }
 
-impl HudPart {
-    pub const ALL: [Self; 3] = [Self::Status, Self::Fuel, Self::Race];
-}
-
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HudShown {
     pub status: bool,
@@ -197,8 +193,7 @@ pub fn targets(game: &Game, centres: &[DVec2]) -> Vec<(PointerTarget, Aabb)> {
         let (body, fits) = (object_body(index), |goal: &usize| level.objectives[*goal].fits(key));
         let touches = |goal: usize| game.world().body(body).bounds().touches(&level.objectives[goal].bounds, 0.0);
         let wanted = physics().filter(fits).any(|goal| !game.met()[goal]);
-        let at_work =
-            physics().filter(fits).any(|goal| game.met()[goal] && level.objectives[goal].order.is_none() && touches(goal));
+        let at_work = physics().filter(fits).any(|i| game.met()[i] && level.objectives[i].order.is_none() && touches(i));
         (wanted && !at_work).then(|| (PointerTarget::Key(index), Aabb::around(centres[body.index()], object.size * 0.5)))
     });
     goals.chain(keys).collect()
@@ -275,7 +270,7 @@ mod tests {
         let (mut aside, frame) = (Aside::default(), Frame::default());
         let far = Area::around(frame.size / 2.0, Vec2::splat(51.0));
         aside.update(SHOWN, (far, 0.0), &[], &frame, 1.0);
-        assert_eq!(HudPart::ALL.map(|part| aside.of(part)), [0.0; 3]);
+        assert_eq!(aside.parts, [0.0; 3]);
         let bar = aside.home(HudPart::Fuel).expect("it is shown");
         let above = Area::around(bar.centre() - Vec2::new(0.0, 70.0), Vec2::splat(51.0));
         aside.update(SHOWN, (above, 0.0), &[], &frame, 0.05);
@@ -299,7 +294,7 @@ mod tests {
         let far = Area::around(frame.size / 2.0, Vec2::splat(51.0));
         let goal = Area::new(100.0, 20.0, 200.0, 30.0);
         aside.update(SHOWN, (far, 0.0), &[goal], &frame, 0.0);
-        assert_eq!(HudPart::ALL.map(|part| aside.of(part)), [1.0, 0.0, 1.0]);
+        assert_eq!(aside.parts, [1.0, 0.0, 1.0]);
     }
 
     #[test]

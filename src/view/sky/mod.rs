@@ -1,7 +1,7 @@
 //! The sky of a world of levels: a sky with its glows, three layers that move with the camera, small lights, and weather. All of it
 //! is drawn by code, in canvas units, in the air alone; plain palettes leave it out.
 
-use super::{camera::Viewport, terrain::drafting::chance, theme};
+use super::{camera::Viewport, terrain::chance, theme};
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour, Quads};
 use crate::level::Landscape;

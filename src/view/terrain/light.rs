@@ -8,7 +8,7 @@ use crate::draw::{Colour, Quad, layout::Vec2};
 use crate::level::Landscape;
 use crate::number::hash;
 use crate::physics::{Aabb, DVec2};
-use crate::view::{art::rock::FACE_METRES, camera::Viewport, sky::WorldPalette, theme};
+use crate::view::{art::rock::FACE_METRES, camera::Viewport, particles::stretch, sky::WorldPalette, theme};
 use std::{cell::RefCell, collections::BTreeMap};
 
 /// Length of the pieces of a lit edge, m: between their ends the light changes evenly.
@@ -77,21 +77,9 @@ fn strength(at: DVec2, inward: DVec2, source: &Aabb, reach: f64, opaque: &[&Aabb
 
 /// Whether the straight path between two points leads through a box.
 fn crosses(from: DVec2, to: DVec2, solid: &Aabb) -> bool {
-    let way = to - from;
-    let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
-    for (start, step, low, high) in [(from.x, way.x, solid.min.x, solid.max.x), (from.y, way.y, solid.min.y, solid.max.y)] {
-        if step == 0.0 {
-            if start <= low || start >= high {
-                return false;
-            }
-        } else {
-            let (a, b) = ((low - start) / step, (high - start) / step);
-            enters = enters.max(a.min(b));
-            leaves = leaves.min(a.max(b));
-        }
-    }
+    let Some((enters, leaves, _)) = stretch(solid, from, to - from) else { return false };
     // A box does not hide a light that touches it or is inside of it.
-    leaves - enters > 1e-9 && enters < 1.0 - 1e-6
+    leaves.min(1.0) - enters.max(0.0) > 1e-9 && enters < 1.0 - 1e-6
 }
 
 /// The inks, pale and calm: none is near a colour with a meaning (objectives, hazards, forces are all far more vivid).

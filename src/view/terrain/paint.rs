@@ -1,9 +1,8 @@
 //! Draws the terrain: the mass, its materials, the drafting, its edge, and the light on it.
 
-use super::drafting::{self, Dimension};
 use super::light::{Lit, RockMesh, cast};
 use super::silhouette::{Corner, RockEdge, Silhouette};
-use super::{RIM, ROCK, Tint, frame, kind, mass};
+use super::{Dimension, RIM, ROCK, Tint, dimensions, frame, hatching, kind, mass};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::level::{Landscape, Level, SHIP_HALF};
@@ -53,8 +52,7 @@ impl Terrain {
     pub fn new(level: &Level, lamps: impl Iterator<Item = (Aabb, f64)>, texts: &[Aabb], over_picture: bool) -> Self {
         let mass = mass(level);
         let glass = kind("Glass");
-        let solid =
-            level.world.iter().filter(|solid| solid.is_rock() && kind(solid.material.name) != glass).map(|solid| solid.bounds);
+        let solid = level.world.iter().filter(|it| it.is_rock() && kind(it.material.name) != glass).map(|it| it.bounds);
         let opaque: Vec<Aabb> = solid.chain(level.streams.iter().map(|stream| stream.source)).collect();
         let sources = level.streams.iter().map(|stream| stream.source);
         // The window's edge cuts off what is drafted there.
@@ -64,10 +62,10 @@ impl Terrain {
             let pieces: Vec<_> = mass.pieces().filter(|piece| piece.1 == kind).collect();
             Silhouette::new(&pieces).edges.to_vec()
         });
-        let dimensions = drafting::dimensions(&mass, ROCK, &taken);
+        let dimensions = dimensions(&mass, ROCK, &taken);
         Self {
             seams: seams.collect(),
-            strokes: drafting::hatching(&mass, ROCK),
+            strokes: hatching(&mass, ROCK),
             dimensions: dimensions.into_iter().map(|dimension| (dimension, metres(dimension.length()))).collect(),
             tint: Tint::of(level.landscape, &level.name),
             lit: lamps.take(MOST_LAMPS).map(|(bounds, reach)| cast(&mass.edges, &bounds, reach, &opaque)).collect(),
@@ -261,8 +259,7 @@ fn ceiling_lamps(level: &Level, mass: &Silhouette) -> Vec<DVec2> {
     let pads = pads.chain(level.ship_plays().then_some(level.player.position));
     let over = |pad: DVec2| {
         let ceilings = mass.edges.iter().filter(|edge| edge.kind == ROCK && edge.inward.y < 0.0 && edge.depth > 0.4);
-        let above =
-            ceilings.filter(|edge| edge.bounds().min.x < pad.x - 0.4 && edge.bounds().max.x > pad.x + 0.4 && edge.from.y < pad.y);
+        let above = ceilings.filter(|it| it.bounds().min.x < pad.x - 0.4 && it.bounds().max.x > pad.x + 0.4 && it.from.y < pad.y);
         let height = above.map(|edge| edge.from.y).fold(f64::MIN, f64::max);
         ((2.5..CONE.0).contains(&(pad.y - height))).then_some(DVec2::new(pad.x, height))
     };

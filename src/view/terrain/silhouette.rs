@@ -63,14 +63,12 @@ impl Silhouette {
         let boxes: Vec<&(Aabb, usize)> = boxes.iter().filter(|(bounds, _)| bounds.size().min_element() > TOUCH).collect();
         let columns = stops(boxes.iter().flat_map(|(bounds, _)| [bounds.min.x, bounds.max.x]));
         let heights = stops(boxes.iter().flat_map(|(bounds, _)| [bounds.min.y, bounds.max.y]));
-        let placed: Vec<SweptBox> = boxes
-            .iter()
-            .map(|(bounds, kind)| SweptBox {
-                columns: [stop(&columns, bounds.min.x), stop(&columns, bounds.max.x)],
-                rows: [stop(&heights, bounds.min.y), stop(&heights, bounds.max.y)],
-                kind: *kind,
-            })
-            .collect();
+        let swept = |(bounds, kind): &&(Aabb, usize)| SweptBox {
+            columns: [stop(&columns, bounds.min.x), stop(&columns, bounds.max.x)],
+            rows: [stop(&heights, bounds.min.y), stop(&heights, bounds.max.y)],
+            kind: *kind,
+        };
+        let placed: Vec<SweptBox> = boxes.iter().map(swept).collect();
         let rows = rows(&placed, heights.len());
         let mut mass = Self { columns, heights, rows, loops: Vec::new(), edges: Vec::new() };
         for corners in loops(&mass.rows) {
@@ -97,8 +95,7 @@ impl Silhouette {
         let mut above: Vec<usize> = Vec::new();
         for row in &self.rows {
             let (top, bottom) = (self.heights[row.top].max(within.min.y), self.heights[row.bottom].min(within.max.y));
-            let solid =
-                row.spans.iter().filter(|span| span.kind != but).map(|span| (self.columns[span.from], self.columns[span.to]));
+            let solid = row.spans.iter().filter(|it| it.kind != but).map(|it| (self.columns[it.from], self.columns[it.to]));
             let (mut from, mut here) = (within.min.x, Vec::new());
             for (left, right) in solid.chain([(within.max.x, within.max.x)]) {
                 let free = Aabb::new(DVec2::new(from, top), DVec2::new(left.min(within.max.x), bottom));
