@@ -92,17 +92,12 @@ impl Canvas {
         self.dpi
     }
 
-    pub fn to_canvas(&self, logical: Vec2) -> Vec2 {
-        logical * self.dpi * self.frame.pixel
-    }
-
     /// Ends a layer: the next one lies above it and its text.
     pub fn end_layer(&self) {
         self.add(Shape::Layer);
     }
 
-    /// Writes one line of text, with the decimal marks of the language; `at` is the top of the line (or the middle of its capitals) at its
-    /// left, middle or right end.
+    /// Writes a line with the language's decimal marks; `at` is its top (or the middle of its capitals) at its left, middle or right end.
     pub fn text(&self, text: &str, at: Vec2, style: Style) {
         if self.as_written { self.typed(text, at, style) } else { self.typed(&decimals(text), at, style) }
     }
@@ -129,14 +124,9 @@ impl Canvas {
         Vec2::new(left, at.y + height * if style.middle { HALF_CAPITAL } else { ASCENT })
     }
 
-    /// In whole logical pixels.
-    pub fn font_size(&self, size: f32) -> u16 {
-        (self.frame.text_height(size) / self.frame.pixel / self.dpi).ceil() as u16
-    }
-
-    /// In whole physical pixels.
+    /// In whole physical pixels, a whole number of logical ones.
     pub fn glyph_height(&self, size: f32) -> f32 {
-        (f32::from(self.font_size(size)) * self.dpi).ceil()
+        ((self.frame.text_height(size) / self.frame.pixel / self.dpi).ceil() * self.dpi).ceil()
     }
 
     /// Canvas units.
@@ -224,8 +214,7 @@ impl Canvas {
         self.picture(image, Area::new(0.0, 0.0, 1.0, 1.0), area, (0.0, tint));
     }
 
-    /// A part of an image (0 … 1 along both axes) over an area, turned clockwise by an angle (rad) around the area's middle, and
-    /// multiplied by a colour.
+    /// A part of an image (0 … 1 along both axes) over an area, turned clockwise around its middle (rad), and multiplied by a colour.
     pub fn picture(&self, image: &Image, part: Area, area: Area, (turn, tint): (f32, Colour)) {
         self.add(Shape::Picture { image: image.clone(), part, area, turn, tint });
     }
@@ -254,6 +243,6 @@ mod tests {
         assert_eq!(from.x + canvas.width("words", style), 100.0);
         canvas.begin(Frame::default(), 2.0, false);
         assert!(canvas.shapes().is_empty());
-        assert_eq!((canvas.font_size(TEXT), canvas.glyph_height(TEXT)), (9, 18.0));
+        assert_eq!(canvas.glyph_height(TEXT), 18.0);
     }
 }

@@ -11,7 +11,6 @@ pub mod layout;
 pub mod pen;
 pub mod raster;
 pub mod shape;
-pub mod soft;
 pub mod svg;
 pub mod text;
 

@@ -4,8 +4,8 @@
 use super::canvas::Canvas;
 use super::glyphs::Glyphs;
 use super::layout::{Frame, Vec2};
-use super::shape::{Colour, Image, MOST_QUADS, Painting, Quad, Shape};
-use super::soft::Soft;
+use super::raster::Soft;
+use super::shape::{Colour, Image, MOST_QUADS, Quad, Shape};
 use super::text;
 use macroquad::camera::{Camera2D, set_camera};
 use macroquad::color::{Color, WHITE};
@@ -22,10 +22,8 @@ pub struct WindowPen {
     glyphs: Glyphs,
     soft: Soft,
     mesh: Mesh,
-    sheet: Texture2D,
-    /// The drawn files with their textures; `None`: the file is no picture.
-    files: Vec<(Arc<[u8]>, Option<Texture2D>)>,
-    paintings: Vec<(Arc<Painting>, Texture2D)>,
+    /// Of the drawn images; `None`: the file is no picture.
+    textures: Vec<(Image, Option<Texture2D>)>,
     /// The picture that is shown again while nothing changes.
     kept: Option<Texture2D>,
     /// Draws the kept picture without its opacity, which is that of the last shape; `None` where no material is available.
@@ -42,9 +40,7 @@ impl WindowPen {
             glyphs: Glyphs::new()?,
             soft: Soft::default(),
             mesh: Mesh { vertices: Vec::new(), indices: Vec::new(), texture: None },
-            sheet,
-            files: Vec::new(),
-            paintings: Vec::new(),
+            textures: vec![(Image::Sheet, Some(sheet))],
             kept: None,
             copying: copying(),
         })
@@ -60,17 +56,20 @@ impl WindowPen {
     pub fn play(&mut self, canvas: &Canvas, ground: Colour) {
         clear_background(ground.into());
         use_canvas_units(canvas);
-        self.soft.begin(canvas.frame().pixel);
+        self.soft.pixel = canvas.frame().pixel;
         let shapes = canvas.shapes();
         for layer in shapes.split(|shape| matches!(shape, Shape::Layer)) {
             layer.iter().for_each(|shape| self.draw(shape, canvas));
             layer.iter().for_each(|shape| self.write(shape, canvas));
             self.glyphs.draw();
         }
-        // Files that only this pen holds are no longer drawn.
+        // Images that only this pen holds are no longer drawn.
         drop(shapes);
-        self.files.retain(|(bytes, _)| Arc::strong_count(bytes) > 1);
-        self.paintings.retain(|(painting, _)| Arc::strong_count(painting) > 1);
+        self.textures.retain(|(image, _)| match image {
+            Image::Sheet => true,
+            Image::File(bytes) => Arc::strong_count(bytes) > 1,
+            Image::Painted(painting) => Arc::strong_count(painting) > 1,
+        });
     }
 
     fn draw(&mut self, shape: &Shape, canvas: &Canvas) {
@@ -145,30 +144,24 @@ impl WindowPen {
     }
 
     fn texture(&mut self, image: &Image) -> Option<&Texture2D> {
-        let file = match image {
-            Image::Sheet => return Some(&self.sheet),
-            Image::Painted(painting) => return Some(self.painted(painting)),
-            Image::File(file) => file,
+        let is_same = |known: &Image| match (known, image) {
+            (Image::File(a), Image::File(b)) => Arc::ptr_eq(a, b),
+            (Image::Painted(a), Image::Painted(b)) => Arc::ptr_eq(a, b),
+            _ => matches!((known, image), (Image::Sheet, Image::Sheet)),
         };
-        let known = self.files.iter().position(|(bytes, _)| Arc::ptr_eq(bytes, file));
-        let index = known.unwrap_or_else(|| {
-            let texture = Pixels::from_file_with_format(file, None).ok().map(|pixels| Texture2D::from_image(&pixels));
+        let index = self.textures.iter().position(|(known, _)| is_same(known)).unwrap_or_else(|| {
+            let texture = match image {
+                Image::Sheet => None,
+                Image::File(file) => Pixels::from_file_with_format(file, None).ok().map(|pixels| Texture2D::from_image(&pixels)),
+                Image::Painted(painting) => {
+                    Some(Texture2D::from_rgba8(painting.width as u16, painting.height() as u16, &painting.bytes))
+                }
+            };
             texture.iter().for_each(|texture| texture.set_filter(FilterMode::Linear));
-            self.files.push((file.clone(), texture));
-            self.files.len() - 1
+            self.textures.push((image.clone(), texture));
+            self.textures.len() - 1
         });
-        self.files[index].1.as_ref()
-    }
-
-    fn painted(&mut self, painting: &Arc<Painting>) -> &Texture2D {
-        let known = self.paintings.iter().position(|(known, _)| Arc::ptr_eq(known, painting));
-        let index = known.unwrap_or_else(|| {
-            let texture = Texture2D::from_rgba8(painting.width as u16, painting.height() as u16, &painting.bytes);
-            texture.set_filter(FilterMode::Linear);
-            self.paintings.push((painting.clone(), texture));
-            self.paintings.len() - 1
-        });
-        &self.paintings[index].1
+        self.textures[index].1.as_ref()
     }
 
     pub fn keep(&mut self, canvas: &Canvas) {

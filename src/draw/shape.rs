@@ -1,15 +1,8 @@
-//! The shapes of a canvas.
-//!
-//! Colours.
-//!
-//! Quadrangles without soft edges, whose colours run from corner to corner: light, liquids, drafted strokes.
-//!
-//! Dashed lines.
+//! The shapes of a canvas, its colours, quadrangles whose colours run from corner to corner (light, liquids, drafted strokes), and dashed lines.
 
 use super::layout::{Area, Vec2};
 use super::text::Typeface;
-use std::fmt;
-use std::sync::Arc;
+use std::{fmt, sync::Arc};
 
 /// Lengths in canvas units, y down.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,8 +23,7 @@ pub enum Shape {
     Textured { image: Image, quads: Vec<(Quad, [Vec2; 4])> },
     /// It lies above all other shapes of its layer.
     Text { text: String, at: Vec2, style: Style },
-    /// A part of an image (0 … 1 along both axes) stretched over an area, turned around the area's middle (radians, clockwise),
-    /// multiplied by a colour.
+    /// A part of an image (0 … 1 along both axes) over an area, turned clockwise around its middle (rad), and multiplied by a colour.
     Picture { image: Image, part: Area, area: Area, turn: f32, tint: Colour },
     /// The following shapes lie above all before it.
     Layer,
@@ -87,9 +79,7 @@ impl fmt::Debug for Painting {
 pub enum Align {
     #[default]
     Left,
-    /// On both sides.
     Centre,
-    /// To the left.
     Right,
 }
 
@@ -137,7 +127,6 @@ pub struct Colour {
     pub r: f32,
     pub g: f32,
     pub b: f32,
-    /// Opacity.
     pub a: f32,
 }
 
@@ -167,8 +156,7 @@ impl Colour {
 
     /// For a projector and for paper: light becomes dark and dark light, and the hue stays.
     pub fn on_white(self) -> Self {
-        let linear =
-            [self.r, self.g, self.b].map(|part| if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) });
+        let linear = [self.r, self.g, self.b].map(|c| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) });
         let luminance = (0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]).max(1e-6);
         let lightness = if luminance > 216.0 / 24389.0 { 116.0 * luminance.cbrt() - 16.0 } else { luminance * 24389.0 / 27.0 };
         let above = ON_WHITE.iter().position(|(from, _)| lightness <= *from).unwrap_or(ON_WHITE.len() - 1).max(1);
@@ -225,8 +213,7 @@ impl Quads {
     }
 }
 
-/// The pieces of a dashed path through `corners`: the lengths of a pattern (canvas units) are drawn and left out in turn, also round
-/// corners. Without a pattern the path is whole.
+/// The pieces of a path: the lengths of a pattern (canvas units) are drawn and left out in turn, also round corners; without one it is whole.
 pub fn dashes(corners: &[Vec2], pattern: &[f32]) -> Vec<(Vec2, Vec2)> {
     let mut pieces = Vec::new();
     let (mut index, mut left) = (0, pattern.first().copied().unwrap_or(f32::INFINITY));

@@ -1,10 +1,9 @@
 //! The pen of paper: plays a canvas as SVG, its words as text. A quadrangle has the colour of its first corner; images are left
 //! out, for no chart has one.
 
-use super::canvas::Canvas;
 use super::layout::{Area, Vec2};
 use super::shape::{Align, Colour, Contour, Shape, Style};
-use super::text::Typeface;
+use super::{canvas::Canvas, text::Typeface};
 use std::fmt::Write;
 
 /// `ground` fills the sheet.
@@ -148,7 +147,6 @@ fn hex(colour: Colour) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Rounds to a tenth.
 fn number(value: f32) -> String {
     let text = format!("{value:.1}");
     text.strip_suffix(".0").map_or(text.clone(), str::to_owned)

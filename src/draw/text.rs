@@ -20,8 +20,7 @@ impl Typeface {
     }
 }
 
-/// Signs that are set in the monospaced face amid words too: the sans face has no arrows, no raised minus and no prime, and its π is
-/// hard to read.
+/// Signs that are set in the monospaced face amid words too: the sans face has no arrows, no raised minus and no prime, and its π is hard to read.
 const IN_MONO: [char; 7] = ['←', '→', '↑', '↓', 'π', '⁻', '′'];
 /// Width of a sign where a typeface cannot be read, in heights of the text.
 const UNKNOWN_ADVANCE: f32 = 0.62;

@@ -1,14 +1,10 @@
-//! Several curves in one picture: one axis to the right, and a lane upwards for each unit, so that metres and metres a second never share
-//! an axis. The screen and the exported picture draw the same.
-//!
-//! Up to four curves of a flight differ by colour, dash and marker. A force has the colour that it has everywhere.
-//!
-//! Curves for a file: a table with every tick and every digit, and the sheet of a picture. Neither knows a disk.
+//! Several curves in one picture: one axis to the right, and a lane upwards for each unit, so that metres and metres a second never share an axis.
+//! The screen and the exported picture draw the same. Up to four curves of a flight differ by colour, dash and marker. A force has the colour that it
+//! has everywhere. Curves for a file: a table with every tick and every digit, and the sheet of a picture. Neither knows a disk.
 
 use super::curve::{Curve, Extremes, around};
-use super::fit::Fit;
 use super::quantity::{Quantity, Unit};
-use super::track::BodyTrack;
+use super::{fit::Fit, track::BodyTrack};
 use crate::draw::chart::{CurveLook, CurveOrigin, Linear, Marker, Piece, Sheet, Strip};
 use crate::files::csv_line;
 use crate::number::Shortest;
@@ -127,7 +123,6 @@ pub struct Exported<'a> {
     pub track: &'a BodyTrack,
     /// Its number, which gives its look.
     pub number: usize,
-    /// A law through it.
     pub fit: Option<&'a Fit>,
 }
 
@@ -141,8 +136,7 @@ impl Exported<'_> {
     }
 }
 
-/// A table: tick, time, and a column for each quantity of each body, in SI with y upwards; every number reads back as the same f64. A cell
-/// is empty where a body was not read so far.
+/// A table: tick, time, and each quantity of each body, in SI with y upwards, as numbers that read back the same; empty where a body was not read.
 pub fn csv(curves: &[Exported]) -> String {
     let mut columns: Vec<(String, &[f64])> = Vec::new();
     for Exported { body, curve, .. } in curves {
@@ -155,10 +149,8 @@ pub fn csv(curves: &[Exported]) -> String {
     }
     let track = curves.iter().map(|curve| curve.track).max_by_key(|track| track.len());
     let cell = |value: &f64| Shortest(*value).to_string();
-    let head: Vec<String> = ["tick".to_owned(), Quantity::Time.heading()]
-        .into_iter()
-        .chain(columns.iter().map(|(heading, _)| heading.clone()))
-        .collect();
+    let headings = columns.iter().map(|(heading, _)| heading.clone());
+    let head = ["tick".to_owned(), Quantity::Time.heading()].into_iter().chain(headings);
     let row = |(track, place): (&BodyTrack, usize)| {
         let cells = columns.iter().map(|(_, values)| values.get(place).map_or_else(String::new, cell));
         csv_line([track.tick_of(place).to_string(), cell(&track.time(place))].into_iter().chain(cells))
@@ -170,8 +162,7 @@ pub fn csv(curves: &[Exported]) -> String {
 pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
     let across = curves.first().map_or(Quantity::Time, |exported| exported.curve.across);
     let places = |track: &BodyTrack| track.places(window);
-    let members: Vec<ChartMember> =
-        curves.iter().map(|exported| (exported.number, exported.curve, places(exported.track))).collect();
+    let members: Vec<ChartMember> = curves.iter().map(|it| (it.number, it.curve, places(it.track))).collect();
     let chart = Chart::of(across, window, &members);
     let of_number = |number: usize| curves.iter().find(|exported| exported.number == number);
     let lane = |lane: &ChartLane| {
@@ -184,19 +175,13 @@ pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
             let longest = (0..ways.len()).max_by_key(|way| ways[*way].len());
             let marker = move |way: usize, points: &[(f64, f64)]| (Some(way) == longest).then_some(points.len() / 2);
             let look = exported.look();
-            ways.into_iter()
-                .enumerate()
-                .map(move |(i, points)| Piece { look, marker: marker(i, &points), points })
-                .collect::<Vec<_>>()
+            let ways = ways.into_iter().enumerate();
+            ways.map(move |(i, points)| Piece { look, marker: marker(i, &points), points }).collect::<Vec<_>>()
         });
+        let named = lane.axis.named(NAMED / chart.lanes.len().max(1)).into_iter();
         Strip {
             name: lane.name(|number| of_number(number).map_or_else(String::new, |exported| exported.curve.up.symbol())),
-            named: lane
-                .axis
-                .named(NAMED / chart.lanes.len().max(1))
-                .into_iter()
-                .map(|(value, name)| (lane.axis.part(value), name))
-                .collect(),
+            named: named.map(|(value, name)| (lane.axis.part(value), name)).collect(),
             marks: impacts(&shown, across, window),
             curves: ways.chain(shown.iter().filter_map(|exported| Some(fitted(exported.fit?, &lane.axis)))).collect(),
         }
@@ -222,7 +207,7 @@ fn fitted(fit: &Fit, up: &Linear) -> Piece {
 
 /// The times of impacts, s; over anything but time they are the curve's breaks.
 fn impacts(shown: &[&Exported], across: Quantity, window: TimeWindow) -> Vec<f64> {
-    let times = shown.iter().flat_map(|exported| exported.track.impacts().iter().map(|place| exported.track.time(*place)));
+    let times = shown.iter().flat_map(|exported| exported.track.impacts.iter().map(|place| exported.track.time(*place)));
     let mut times: Vec<f64> = times.filter(|time| across == Quantity::Time && *time >= window.0 && *time <= window.1).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();

@@ -1,10 +1,7 @@
-//! A curve of one quantity of a body over another, tick by tick: the slope at a point, the area under a stretch, and the points to
-//! draw where there are more of them than pixels.
-//!
-//! Numbers, tick by tick, with the extremes of any stretch in a few steps: a curve of an hour is drawn in a frame.
+//! A curve of one quantity of a body over another, tick by tick: the slope at a point, the area under a stretch, and the points to draw where there
+//! are more of them than pixels. Its numbers have the extremes of any stretch in a few steps: a curve of an hour is drawn in a frame.
 
-use super::quantity::Quantity;
-use super::track::BodyTrack;
+use super::{quantity::Quantity, track::BodyTrack};
 use std::ops::Range;
 
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +28,7 @@ impl Curve {
             self.ys.push(self.up.of(&moment));
         }
         if self.up.jumps() || self.across.jumps() {
-            let new = track.impacts().iter().copied().filter(|place| *place >= known.max(1));
+            let new = track.impacts.iter().copied().filter(|place| *place >= known.max(1));
             self.breaks.extend(new);
         }
     }
@@ -106,12 +103,8 @@ impl Curve {
         let mut ways = Vec::new();
         for end in ends {
             if from < end {
-                let stretch = from..end;
-                ways.push(if self.across == Quantity::Time {
-                    self.by_columns(stretch, grain.0)
-                } else {
-                    self.apart(stretch, grain)
-                });
+                let over_time = self.across == Quantity::Time;
+                ways.push(if over_time { self.by_columns(from..end, grain.0) } else { self.apart(from..end, grain) });
             }
             from = end;
         }
@@ -163,32 +156,6 @@ impl Curve {
         let places = places.start..places.end.min(self.len());
         let distance = |i: usize| (((xs[i] - x) / grain.0).powi(2) + ((ys[i] - y) / grain.1).powi(2)).sqrt();
         places.map(|i| (i, distance(i))).min_by(|(_, a), (_, b)| a.total_cmp(b))
-    }
-}
-
-#[cfg(test)]
-pub(crate) mod fixture {
-    use super::*;
-    use crate::game::{Controls, Game, SHIP};
-    use crate::level;
-    use std::sync::Arc;
-
-    /// The ship of the fixture under those controls.
-    pub fn flown(ticks: u64, controls: impl Fn(u64) -> Controls) -> BodyTrack {
-        let mut game = Game::new(Arc::new(level::fixture())).expect("it loads");
-        let mut track = BodyTrack::new(SHIP);
-        track.begin(&game);
-        for tick in 0..ticks {
-            game.step(controls(tick));
-            track.tick(&game);
-        }
-        track
-    }
-
-    pub fn curve(track: &BodyTrack, across: Quantity, up: Quantity) -> Curve {
-        let mut curve = Curve::new(across, up);
-        curve.follow(track);
-        curve
     }
 }
 
@@ -246,12 +213,40 @@ fn extremes(values: &[f64]) -> Option<Extremes> {
 }
 
 #[cfg(test)]
+pub(crate) use tests::fixture;
+
+#[cfg(test)]
 mod tests {
-    use super::fixture::{curve, flown};
     use super::*;
     use crate::game::Controls;
     use crate::instruments::quantity::VectorPart;
+    use fixture::{curve, flown};
     use proptest::prelude::*;
+
+    pub(crate) mod fixture {
+        use super::*;
+        use crate::game::{Controls, Game, SHIP};
+        use crate::level;
+        use std::sync::Arc;
+
+        /// The ship of the fixture under those controls.
+        pub fn flown(ticks: u64, controls: impl Fn(u64) -> Controls) -> BodyTrack {
+            let mut game = Game::new(Arc::new(level::fixture())).expect("it loads");
+            let mut track = BodyTrack::new(SHIP);
+            track.begin(&game);
+            for tick in 0..ticks {
+                game.step(controls(tick));
+                track.tick(&game);
+            }
+            track
+        }
+
+        pub fn curve(track: &BodyTrack, across: Quantity, up: Quantity) -> Curve {
+            let mut curve = Curve::new(across, up);
+            curve.follow(track);
+            curve
+        }
+    }
 
     /// The ship of the fixture, which goes up for half a second and falls to the floor.
     fn hop(ticks: u64) -> BodyTrack {
@@ -261,8 +256,8 @@ mod tests {
     #[test]
     fn slopes_and_areas_are_those_of_mechanics() {
         let track = hop(400);
-        assert!(!track.impacts().is_empty(), "it comes down again");
-        let landing = track.impacts()[0];
+        assert!(!track.impacts.is_empty(), "it comes down again");
+        let landing = track.impacts[0];
         let (y, v) = (Quantity::Y, Quantity::Velocity(VectorPart::Y));
         let (height, speed) = (curve(&track, Quantity::Time, y), curve(&track, Quantity::Time, v));
         let gained = height.point(landing - 1).unwrap().1 - height.point(0).unwrap().1;
@@ -270,7 +265,7 @@ mod tests {
         for place in [30, 150, landing - 1] {
             let moment = track.moment(place);
             assert_eq!(speed.slope(&track, place), Some(moment.acceleration.y));
-            let differences = (speed.point(place).unwrap().1 - speed.point(place - 1).unwrap().1) * track.tick_rate();
+            let differences = (speed.point(place).unwrap().1 - speed.point(place - 1).unwrap().1) * track.rate;
             assert!((differences - moment.acceleration.y).abs() < 0.1, "{place}: {differences} {}", moment.acceleration.y);
         }
         // Work is the area under the force along the path.
@@ -292,12 +287,12 @@ mod tests {
         assert_eq!(area(Quantity::Velocity(VectorPart::Y)), risen);
         assert_eq!(area(Quantity::Momentum(VectorPart::Y)), first.constants.mass * risen);
         let forces = area(Quantity::Resultant(VectorPart::Y));
-        let impulses: f64 = track.impulses().map(|impulse| impulse.y).sum();
+        let impulses: f64 = track.impulses.iter().map(|impulse| impulse.y).sum();
         let change = first.constants.mass * (last.velocity.y - first.velocity.y);
         assert!(impulses > 0.0 && (forces + impulses - change).abs() <= 1e-9 * impulses, "{forces} and {impulses} for {change}");
         // Where nothing is hit and nothing switched, the trapezoids come to the same.
-        let (force, landing) = (curve(&track, Quantity::Time, Quantity::Resultant(VectorPart::Y)), track.impacts()[0]);
-        let trapezoids = |i: usize| (force.point(i).unwrap().1 + force.point(i + 1).unwrap().1) / (2.0 * track.tick_rate());
+        let (force, landing) = (curve(&track, Quantity::Time, Quantity::Resultant(VectorPart::Y)), track.impacts[0]);
+        let trapezoids = |i: usize| (force.point(i).unwrap().1 + force.point(i + 1).unwrap().1) / (2.0 * track.rate);
         let in_flight: f64 = (61..landing - 1).map(trapezoids).sum();
         let exact = force.area(&track, 61, landing - 1);
         assert!((exact - in_flight).abs() <= 1e-6 * in_flight.abs(), "{exact} {in_flight}");
@@ -307,16 +302,16 @@ mod tests {
     #[test]
     fn an_impact_breaks_what_jumps_and_nothing_else() {
         let track = hop(400);
-        let landing = track.impacts()[0];
+        let landing = track.impacts[0];
         let ways = |up| curve(&track, Quantity::Time, up).drawn(0..track.len(), (0.0, 0.0));
         assert_eq!(ways(Quantity::Y).len(), 1);
         let speed = ways(Quantity::Velocity(VectorPart::Y));
-        assert_eq!(speed.len(), 1 + track.impacts().len());
+        assert_eq!(speed.len(), 1 + track.impacts.len());
         assert_eq!((speed[0].len(), speed[1][0].0), (landing, track.time(landing)));
         // Forces have no rate: their slope is a difference, which never reaches over a break.
         let force = curve(&track, Quantity::Time, Quantity::Resultant(VectorPart::Y));
         let slope = force.slope(&track, landing - 1).unwrap();
-        let one_sided = (force.point(landing - 1).unwrap().1 - force.point(landing - 2).unwrap().1) * track.tick_rate();
+        let one_sided = (force.point(landing - 1).unwrap().1 - force.point(landing - 2).unwrap().1) * track.rate;
         assert!((slope - one_sided).abs() <= 1e-9 * (1.0 + one_sided.abs()), "{slope} {one_sided}");
     }
 

@@ -177,7 +177,8 @@ fn least_squares<const N: usize>(points: &[(f64, f64)], functions: impl Fn(f64) 
 fn solved<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
     for i in 0..N {
         let pivot = matrix[i][i];
-        if !(pivot.is_finite() && pivot > 1e-13 * largest_of(&matrix)) {
+        let largest = (0..N).map(|i| matrix[i][i].abs()).fold(0.0, f64::max);
+        if !(pivot.is_finite() && pivot > 1e-13 * largest) {
             return None;
         }
         for j in i + 1..N {
@@ -192,11 +193,6 @@ fn solved<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Opt
         right[i] = (right[i] - known) / matrix[i][i];
     }
     Some(right)
-}
-
-/// The largest number on the diagonal.
-fn largest_of<const N: usize>(matrix: &[[f64; N]; N]) -> f64 {
-    (0..N).map(|i| matrix[i][i].abs()).fold(0.0, f64::max)
 }
 
 /// The factors and the rate of the sine that is nearest to points in −1 … 1: the best of many frequencies, then corrected.

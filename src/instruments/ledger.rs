@@ -1,6 +1,4 @@
 //! The work of each force on each body up to the moment on the screen.
-//!
-//! W = ∫F·dr, tick by tick, so that what is read always obeys the law of work and energy, ΔE_kin = Σ W + W_impacts:
 //! W = ∫F·dr, tick by tick, so that the readings always obey the law of work and energy, ΔE_kin = Σ W + W_impacts:
 //! 1. A force F₀ at a tick's start and F₁ at its end does W = ½(F₀ + F₁)·Δr. That is exact where it is constant, and where it grows evenly
 //!    with the distance, as the buoyancy of a floating body does. The engine is switched at a tick's start and does F₁·Δr.
@@ -10,9 +8,7 @@
 //!    where a slide ends, did so at one point of the path, for all of them the one that makes the sum right. Where there are none the rest
 //!    goes to the forces that changed, by |(F₁ − F₀)·Δr|; so drag alone is exact.
 //!
-//! Momentum, kinetic and potential energy, of a body and of all.
-//!
-//! The centre of mass of several bodies: without forces from outside it goes on in a straight line, whatever the parts do.
+//! Momentum, kinetic and potential energy, of a body and of all; the centre of mass of several.
 
 use super::track::Companion;
 use crate::game::{Game, History};
@@ -29,8 +25,7 @@ const ROUNDING: f64 = 1e-9;
 const ABRUPT: f64 = 0.1;
 /// The most bodies with accounts: the time to ask for all forces grows with the square of their number.
 pub const MOST_BODIES: usize = 256;
-/// From copy to copy of the accounts at first, ticks, and how many accounts all copies have together. As in [`History`], every second copy
-/// goes where there are too many.
+/// From copy to copy of the accounts at first, ticks, and the most accounts in all copies: as in [`History`], every second one goes beyond that.
 const EVERY: u64 = 60;
 const ACCOUNTS_IN_COPIES: usize = 32_768;
 const FEWEST_COPIES: usize = 16;
@@ -100,19 +95,14 @@ fn is_still(game: &Game, source: Source, kind: ForceKind) -> bool {
 }
 
 /// The accounts of all bodies at the moment on the screen.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct WorkLedger {
     companion: Companion,
     before: Vec<TickEnd>,
     pub accounts: Vec<Account>,
     copies: Vec<(u64, Vec<Account>)>,
-    every: u64,
-}
-
-impl Default for WorkLedger {
-    fn default() -> Self {
-        Self { companion: Companion::default(), before: Vec::new(), accounts: Vec::new(), copies: Vec::new(), every: EVERY }
-    }
+    /// How often every second copy went.
+    thinned: u32,
 }
 
 impl WorkLedger {
@@ -121,7 +111,7 @@ impl WorkLedger {
         if self.companion.tick().is_none_or(|at| at > tick) && !self.stand_before(history, tick) {
             return false;
         }
-        let (mut companion, every) = (std::mem::take(&mut self.companion), self.every);
+        let (mut companion, every) = (std::mem::take(&mut self.companion), EVERY << self.thinned);
         let there = companion.go_on(history, tick, most, |game| {
             self.take(game);
             let newest = self.copies.last().map_or(0, |(at, _)| *at);
@@ -173,7 +163,7 @@ impl WorkLedger {
                 stays = !stays;
                 stays
             });
-            self.every *= 2;
+            self.thinned += 1;
         }
     }
 }
@@ -182,7 +172,6 @@ fn ids(game: &Game) -> impl Iterator<Item = BodyId> + use<> {
     (0..game.world().bodies().len() as u32).map(BodyId)
 }
 
-/// A body's motion in a tick.
 struct BodyTick<'a> {
     game: &'a Game,
     id: BodyId,
@@ -263,8 +252,7 @@ pub struct EnergyState {
     pub momentum: DVec2,
     /// Σ ½mv², J.
     pub kinetic: f64,
-    /// −Σ m·g·(r − r₀), J: of the level's own gravity, above [`ground`] or another zero. Gravity of zones has no potential, since their
-    /// fields end at their borders.
+    /// −Σ m·g·(r − r₀), J: in the level's own gravity, above [`ground`] or another zero; that of zones, which end at borders, has no potential.
     pub potential: f64,
     /// The energy of its springs and ropes, J: half of it where a link leads to another body.
     pub elastic: f64,
@@ -293,7 +281,7 @@ impl EnergyState {
     }
 
     pub fn of_all(game: &Game) -> Self {
-        (0..game.world().bodies().len() as u32).map(|id| Self::of(game, BodyId(id))).fold(Self::default(), Self::add)
+        ids(game).map(|id| Self::of(game, id)).fold(Self::default(), Self::add)
     }
 }
 
@@ -333,16 +321,18 @@ pub fn ground(level: &Level) -> DVec2 {
 
 /// Σ m·r / Σ m over bodies, m.
 pub fn centre_of_mass(bodies: &[Body]) -> DVec2 {
-    let (moment, mass) =
-        bodies.iter().fold((DVec2::ZERO, 0.0), |(moment, mass), body| (moment + body.mass * body.position, mass + body.mass));
-    moment / mass
+    mean(bodies, |body| body.position)
 }
 
 /// Σ m·v / Σ m over bodies, m/s.
 pub fn velocity_of_centre(bodies: &[Body]) -> DVec2 {
-    let (momentum, mass) =
-        bodies.iter().fold((DVec2::ZERO, 0.0), |(momentum, mass), body| (momentum + body.mass * body.velocity, mass + body.mass));
-    momentum / mass
+    mean(bodies, |body| body.velocity)
+}
+
+/// By mass.
+fn mean(bodies: &[Body], of: fn(&Body) -> DVec2) -> DVec2 {
+    let (sum, mass) = bodies.iter().fold((DVec2::ZERO, 0.0), |(sum, mass), body| (sum + body.mass * of(body), mass + body.mass));
+    sum / mass
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! A body's measurable quantities at an instant: symbol, unit, value, and rate of change where a law gives it. x counts to the right
 //! from the level's left edge and y **up** from its lower edge, as in school.
-//!
 //! Units of SI as powers of its base units, so that slopes and areas have theirs: m/s a second is m/s², N along m is J.
 
 use crate::game::Game;
@@ -69,21 +68,17 @@ pub enum Quantity {
     Mechanical,
 }
 
-/// y upwards.
+/// In SI units, y upwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment {
-    /// s.
     pub time: f64,
     pub constants: BodyConstants,
-    /// m, from the level's lower left corner.
+    /// From the level's lower left corner.
     pub position: DVec2,
-    /// m/s.
     pub velocity: DVec2,
-    /// m/s².
     pub acceleration: DVec2,
-    /// N.
     pub resultant: DVec2,
-    /// By kind, in the order of [`ForceKind::ALL`], N.
+    /// By kind, in the order of [`ForceKind::ALL`].
     pub forces: [DVec2; ForceKind::ALL.len()],
 }
 
@@ -159,8 +154,7 @@ impl Quantity {
         }
     }
 
-    /// Its rate of change at a moment, in its unit a second, where that follows from the moment itself: dr/dt = v, dv/dt = a,
-    /// d(½mv²)/dt = m·a·v. Acceleration and forces have none.
+    /// Its rate of change at a moment, in its unit a second, where the moment gives it: dr/dt = v, dv/dt = a, d(½mv²)/dt = m·a·v.
     pub fn rate(self, moment: &Moment) -> Option<f64> {
         let Moment { velocity, acceleration, constants: BodyConstants { mass, field, .. }, .. } = *moment;
         match self {
@@ -256,13 +250,9 @@ pub struct Unit {
 }
 
 impl Unit {
-    /// m.
     pub const METRE: Self = Self { kg: 0, m: 1, s: 0 };
-    /// s.
     pub const SECOND: Self = Self { kg: 0, m: 0, s: 1 };
-    /// kg·m/s².
     pub const NEWTON: Self = Self { kg: 1, m: 1, s: -2 };
-    /// N·m.
     pub const JOULE: Self = Self { kg: 1, m: 2, s: -2 };
 
     /// Units with a name of their own.

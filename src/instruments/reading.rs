@@ -1,7 +1,5 @@
-//! The numbers in a text, with what stands beside them: a unit behind, a sign of a formula before.
-//!
-//! Readings as pupils write them: a number with either decimal mark, among words and units, held against the quantity that a cell of the
-//! sheet wants. docs/teaching.md has the rules.
+//! The numbers in a text, with what stands beside them: a unit behind, a sign of a formula before. Readings as pupils write them: a number with
+//! either decimal mark, among words and units, held against the quantity that a cell of the sheet wants. docs/teaching.md has the rules.
 
 use crate::words::tr;
 use std::ops::Range;
@@ -100,15 +98,9 @@ const THIN: [char; 4] = ['\u{a0}', '\u{202f}', '\u{2009}', '\u{2007}'];
 const MINUS: [char; 6] = ['-', '−', '‐', '‑', '–', '﹣'];
 
 impl NumeralStyle {
-    pub const ALL: [Self; 8] = {
-        let mut all = [Self { joined: false, grouped: false, paired: false }; 8];
-        let mut i = 0;
-        while i < 8 {
-            all[i] = Self { joined: i & 1 > 0, grouped: i & 2 > 0, paired: i & 4 > 0 };
-            i += 1;
-        }
-        all
-    };
+    pub fn all() -> [Self; 8] {
+        std::array::from_fn(|i| Self { joined: i & 1 > 0, grouped: i & 2 > 0, paired: i & 4 > 0 })
+    }
 }
 
 impl Numeral {
@@ -343,7 +335,7 @@ impl Wanted {
 
     /// Whether a reading is right: each number in it that can be one of this quantity is, and there is one. `None` without any number.
     pub fn judge(&self, text: &str) -> Option<bool> {
-        let found = NumeralStyle::ALL.map(|style| numerals(text, style));
+        let found = NumeralStyle::all().map(|style| numerals(text, style));
         let is_right = |numbers: &Vec<Numeral>| {
             numbers.iter().any(|number| self.is(number)) && numbers.iter().all(|number| self.is(number) || !self.takes(number))
         };

@@ -1,19 +1,13 @@
-//! All moments of one body in a flight. The flight is flown again beside its history, a few ticks a frame, so that each moment is known from
-//! the first tick on. A force that never acts takes no room: a free fall costs 80 bytes a tick, ten minutes of it 6 MB.
-//!
-//! A game that follows the moment on the screen to and fro in a flight, tick by tick, although the moment itself may move by several
-//! ticks a frame, or jump.
-//!
-//! The places of bodies at every tenth of a second before the moment on the screen, as in a stroboscope's picture.
-//!
-//! Tenths are exact instants of the game's time: a tick of their own where the rate is a multiple of ten, and else a point between two ticks,
-//! on the parabola through both with the velocity of the later one.
+//! All moments of one body in a flight. The flight is flown again beside its history, a few ticks a frame, so that each moment is known from the
+//! first tick on. A force that never acts takes no room: a free fall costs 80 bytes a tick, ten minutes of it 6 MB. A [`Companion`] follows the
+//! moment on the screen to and fro, tick by tick, although that may move by several ticks a frame, or jump. A [`Trail`] is the places of bodies at
+//! every tenth of a second before that moment, as in a stroboscope's picture: a tick of their own where the rate is a multiple of ten, and else a
+//! point between two ticks, on the parabola through both with the velocity of the later one.
 
 use super::quantity::{BodyConstants, Moment, Quantity, VectorPart, upwards};
 use crate::game::{Game, History, SHIP};
 use crate::physics::{BodyId, DVec2, ForceKind};
-use std::collections::VecDeque;
-use std::ops::Range;
+use std::{collections::VecDeque, ops::Range};
 
 /// An impact that changed the velocity by less, m/s, does not show in a curve.
 const SMALLEST_JUMP: f64 = 1e-3;
@@ -25,7 +19,8 @@ pub struct BodyTrack {
     /// From which place on they hold, since the level may be varied during the flight.
     constants: Vec<(usize, BodyConstants)>,
     begins: u64,
-    rate: f64,
+    /// Ticks a second.
+    pub rate: f64,
     position: Vec<DVec2>,
     velocity: Vec<DVec2>,
     acceleration: Vec<DVec2>,
@@ -33,9 +28,9 @@ pub struct BodyTrack {
     /// By kind, each up to the last tick in which it acted.
     forces: [Vec<DVec2>; ForceKind::ALL.len()],
     /// The impulses of each tick, up to the last one that had any, N·s.
-    impulses: Vec<DVec2>,
-    /// The places of the ticks with an impact.
-    impacts: Vec<usize>,
+    pub(super) impulses: Vec<DVec2>,
+    /// The places of the ticks with an impact, in order.
+    pub impacts: Vec<usize>,
 }
 
 impl BodyTrack {
@@ -75,10 +70,6 @@ impl BodyTrack {
         (tick.saturating_sub(self.begins) as usize).min(self.len().saturating_sub(1))
     }
 
-    pub const fn tick_rate(&self) -> f64 {
-        self.rate
-    }
-
     /// s.
     pub fn time(&self, place: usize) -> f64 {
         self.tick_of(place) as f64 / self.rate
@@ -102,16 +93,6 @@ impl BodyTrack {
             resultant: self.resultant[place],
             forces: std::array::from_fn(|kind| self.forces[kind].get(place).copied().unwrap_or_default()),
         }
-    }
-
-    /// The impulses, tick by tick, N·s.
-    pub fn impulses(&self) -> impl Iterator<Item = DVec2> + '_ {
-        self.impulses.iter().copied()
-    }
-
-    /// The places of the ticks with an impact, in order.
-    pub fn impacts(&self) -> &[usize] {
-        &self.impacts
     }
 
     /// ∫ up dt from one place to another, exactly, where a law has it, also across impacts: of v by the places, of p by m·Δr, of the resultant
@@ -186,8 +167,7 @@ impl BodyTrack {
                 forces.push(force);
             }
         }
-        let felt: DVec2 =
-            game.world().impulses().iter().filter(|hit| hit.impact).filter_map(|hit| Some(hit.on(self.body)?.0)).sum();
+        let felt: DVec2 = game.world().impulses().iter().filter(|it| it.impact).filter_map(|it| Some(it.on(self.body)?.0)).sum();
         if place > 0 && felt != DVec2::ZERO {
             self.impulses.resize(place, DVec2::ZERO);
             self.impulses.push(upwards(felt));
@@ -219,8 +199,7 @@ impl Companion {
         self.game.as_ref().map(|game| game.ticks())
     }
 
-    /// Goes to that tick, or the nearest one that the flight has, with its forces as the flight read them: the loads of a crowd's
-    /// contacts are kept only for ticks before which the forces were read.
+    /// Goes to that tick or the nearest one, with forces as the flight read them: a crowd's loads are kept for ticks before which they were read.
     pub fn stand_at(&mut self, history: &History, tick: u64) -> &Game {
         let game = self.game.get_or_insert_with(|| Box::new(history.at(0)));
         history.seek(game, tick.saturating_sub(1));

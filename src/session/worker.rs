@@ -10,7 +10,7 @@ use crate::pack::Installed;
 use crate::session::folder_watch::Stamp;
 use crate::session::library::Refusal;
 use crate::session::recordings;
-use crate::view::pictures;
+use crate::view::painting;
 use crate::words::{self, Language};
 use std::collections::VecDeque;
 use std::path::PathBuf;
@@ -76,7 +76,7 @@ impl Errand {
                 let level = load(&folder, &root);
                 let own = level.as_ref().ok().filter(|_| !level::is_shipped(&folder));
                 let proven = own.map(|level| recordings::rivals(&folder, level).into_iter().map(|rival| rival.name).collect());
-                let level = level.map(|level| (level.title.clone(), level.awards, pictures::painting(&level)));
+                let level = level.map(|level| (level.title.clone(), level.awards, painting(&level)));
                 Brought::Card(Box::new(Card { folder, stamp, level, proven }))
             }
             Self::Editor(folder, root) => Brought::Editor(LevelFolder::open_to_edit(&folder, &root).map(Box::new)),

@@ -1,12 +1,8 @@
-//! Between the game and the sound's thread: atomics only, so that neither ever waits. The game writes to the [`SoundDesk`], the
-//! mixer reads the [`Feed`]. Without a reader the writes are lost.
-//!
-//! The game's side of the sound. It gathers the sounds of a frame and passes them on at its end, each cue once and as loud as its
-//! loudest: many collisions a frame are one click.
+//! Between the game and the sound's thread: atomics only, so that neither ever waits. The game writes to the [`SoundDesk`], the mixer reads the
+//! [`Feed`]. Without a reader the writes are lost. The [`Speaker`] gathers the sounds of a frame and passes them on at its end, each cue once and as
+//! loud as its loudest: many collisions a frame are one click.
 
-use super::music::Arrangement;
-use super::output::Output;
-use super::{Ambience, Cue, Sound, Volumes};
+use super::{Ambience, Cue, Sound, Volumes, music::Arrangement, output::Output};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, AtomicUsize, Ordering};
 
@@ -24,14 +20,12 @@ pub fn desk() -> (SoundDesk, Feed) {
 }
 
 /// The game's end.
-#[derive(Debug)]
 pub struct SoundDesk(Arc<Shared>);
 
 /// The mixer's end.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Feed(Arc<Shared>);
 
-#[derive(Debug)]
 struct Shared {
     volumes: [AtomicU32; 3],
     ambience: [AtomicU32; 4],
@@ -77,7 +71,7 @@ impl SoundDesk {
         self.0.frames.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// `None` stops the music.
+    /// The tune before it fades; `None` stops the music.
     pub fn set_tune(&self, tune: Option<u32>) {
         self.0.tune.store(tune.map_or(0, |tune| tune.saturating_add(1)), Ordering::Relaxed);
     }
@@ -166,16 +160,12 @@ fn pack(sound: Sound) -> u64 {
 
 fn unpack(packed: u64) -> Sound {
     let part = |shift: u32| (packed >> shift & 0xffff) as u16;
-    Sound {
-        cue: Cue::ALL[usize::from(part(32)) % Cue::COUNT],
-        loudness: f32::from(part(16)) / STEPS,
-        place: f32::from(part(0)) / STEPS - 1.0,
-    }
+    let cue = Cue::ALL[usize::from(part(32)) % Cue::COUNT];
+    Sound { cue, loudness: f32::from(part(16)) / STEPS, place: f32::from(part(0)) / STEPS - 1.0 }
 }
 
-#[derive(Debug)]
 pub struct Speaker {
-    desk: SoundDesk,
+    pub desk: SoundDesk,
     /// Indexed by the cues' numbers.
     due: [Option<Sound>; Cue::COUNT],
     ambience: Ambience,
@@ -185,27 +175,14 @@ pub struct Speaker {
 
 impl Speaker {
     /// Plays on the system's device whenever there is one. Never waits, never fails.
-    pub fn new() -> Self {
+    pub fn start() -> Self {
         let (desk, feed) = desk();
-        Self { desk, due: [None; Cue::COUNT], ambience: Ambience::default(), _output: Some(Output::start(feed)) }
+        Self { _output: Some(Output::start(feed)), ..Self::at(desk) }
     }
 
     /// Plays to a desk with another reader.
     pub fn at(desk: SoundDesk) -> Self {
         Self { desk, due: [None; Cue::COUNT], ambience: Ambience::default(), _output: None }
-    }
-
-    pub fn set_volumes(&mut self, volumes: Volumes) {
-        self.desk.set_volumes(volumes);
-    }
-
-    /// The tune before it fades.
-    pub fn set_tune(&mut self, tune: Option<u32>) {
-        self.desk.set_tune(tune);
-    }
-
-    pub fn arrange(&mut self, how: Arrangement) {
-        self.desk.set_arrangement(how);
     }
 
     /// In this frame.
@@ -227,12 +204,6 @@ impl Speaker {
         for sound in self.due.iter_mut().filter_map(Option::take) {
             self.desk.play(sound);
         }
-    }
-}
-
-impl Default for Speaker {
-    fn default() -> Self {
-        Self::new()
     }
 }
 

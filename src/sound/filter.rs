@@ -5,7 +5,6 @@ use rand_pcg::Pcg32;
 use std::f32::consts::{PI, TAU};
 
 /// −1 … 1; the same from the same seed.
-#[derive(Debug)]
 pub struct WhiteNoise(Pcg32);
 
 impl WhiteNoise {
@@ -26,7 +25,7 @@ impl WhiteNoise {
 /// A value that approaches its target exponentially: a step would be heard as a crack.
 #[derive(Clone, Copy, Debug)]
 pub struct Glide {
-    value: f32,
+    pub value: f32,
     /// The part of the difference that is left after a sample.
     keeps: f32,
 }
@@ -45,15 +44,6 @@ impl Glide {
             self.value = 0.0;
         }
         self.value
-    }
-
-    pub const fn value(&self) -> f32 {
-        self.value
-    }
-
-    /// Jumps to the value.
-    pub const fn set(&mut self, value: f32) {
-        self.value = value;
     }
 }
 
@@ -155,6 +145,6 @@ mod tests {
         for _ in 0..960 {
             glide.towards(1.0);
         }
-        assert!((glide.value() - 0.632).abs() < 0.01);
+        assert!((glide.value - 0.632).abs() < 0.01);
     }
 }

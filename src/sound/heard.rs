@@ -41,7 +41,6 @@ impl Sound {
 /// The continuous sounds, each 0 … 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ambience {
-    /// The engine's thrust.
     pub engine: f32,
     /// The speed of the air past the ship.
     pub wind: f32,

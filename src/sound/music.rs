@@ -1,11 +1,8 @@
-//! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side; with speed a bass and a brush come in,
-//! with goals broken chords.
-//!
-//! The notes of the music, from a number: a scale, a pace, and motifs that return changed. No sound is made here.
-//!
-//! An ensemble for each world: its scales, its pace, the sound of its plucked notes and of its beat.
+//! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side; with speed a bass and a brush come in, with
+//! goals broken chords. Its notes come from a number: a scale, a pace, and motifs that return changed. Each world has an ensemble: scales, a pace,
+//! the sound of its plucked notes and of its beat.
 
-use super::cue::{Burst, Recipe, Tone};
+use super::cue::{Recipe, SoundPart, burst, struck};
 use super::filter::{Glide, LowPass, WhiteNoise};
 use super::voice::{Choir, Voice};
 use rand::{RngExt, SeedableRng};
@@ -27,7 +24,6 @@ const BRUSH: f32 = 0.1;
 const BROKEN: f32 = 0.07;
 const BRISK: f32 = 0.4;
 
-#[derive(Debug)]
 pub struct Music {
     rate: f32,
     /// With its number and world.
@@ -61,7 +57,7 @@ impl Music {
             self.choir.hush();
             self.echo.clear();
             self.tune = wanted.map(|(number, world)| ((number, world), Tune::new(number, Ensemble::of(world))));
-            self.gain.set(0.0);
+            self.gain.value = 0.0;
             (self.wait, self.eighth) = (0.0, 0);
         }
         self.wait -= 1.0;
@@ -76,7 +72,6 @@ impl Music {
         [gain * (dry[0] + wet[0]), gain * (dry[1] + wet[1])]
     }
 
-    /// Begins the notes of the next eighth.
     fn play_eighth(&mut self, how: &Arrangement) {
         let Some(((_, world), tune)) = &mut self.tune else { return };
         let (ensemble, notes, length) = (Ensemble::of(*world), tune.notes(self.eighth), tune.eighth);
@@ -111,18 +106,15 @@ impl Music {
 
     /// A chord over `length` s. Each note is two tones that beat slowly.
     fn swell(&mut self, chord: [f32; 3], length: f32) {
-        let mut recipe = Recipe::default();
-        for (i, to) in recipe.tones.iter_mut().enumerate() {
+        let recipe = Recipe::new((0..2 * chord.len()).map(|i| {
             let (pitch, share) = (chord[i / 2] * [0.9988, 1.0012][i % 2], [1.0, 0.7, 0.5][i / 2]);
-            let peak = CHORD * share;
-            *to = Some(Tone { at: 0.0, pitch, glide: 0.0, swell: 0.3 * length, fade: 0.4 * length, peak });
-        }
+            SoundPart { swell: 0.3 * length, ..struck(pitch, 0.4 * length, CHORD * share) }
+        }));
         self.choir.sing(Voice::new(&recipe, self.rate, [1.0, 1.0]));
     }
 }
 
 /// An echo from the other side, duller each time.
-#[derive(Debug)]
 struct Echo {
     /// A ring of samples, left and right.
     past: Vec<[f32; 2]>,
@@ -167,7 +159,6 @@ const LOWEST: i32 = 5;
 const HIGHEST: i32 = 16;
 
 /// An endless piece of music: the same from the same number and ensemble.
-#[derive(Debug)]
 pub struct Tune {
     number: u32,
     scale: [i32; 5],
@@ -271,7 +262,6 @@ pub struct Arrangement {
     pub goals: f32,
 }
 
-#[derive(Debug)]
 pub struct Ensemble {
     /// Steps of two pentatonic scales above the root, in semitones.
     pub scales: [[i32; 5]; 2],
@@ -334,28 +324,21 @@ impl Ensemble {
 
     /// A note that is plucked with this strength (0 … 1) at this amplitude.
     pub fn pluck(&self, pitch: f32, strength: f32, peak: f32) -> Recipe {
-        let mut recipe = Recipe::default();
-        for (i, (to, (ratio, fade, share))) in recipe.tones.iter_mut().zip(self.partials).enumerate() {
+        Recipe::new(self.partials.into_iter().enumerate().map(|(i, (ratio, fade, share))| {
             // A harder strike is brighter.
             let bright = if i == 1 { strength } else { 1.0 };
-            let peak = peak * strength * share * bright;
-            *to = Some(Tone { at: 0.0, pitch: pitch * ratio, glide: 0.0, swell: self.attack, fade, peak });
-        }
-        recipe
+            SoundPart { swell: self.attack, ..struck(pitch * ratio, fade, peak * strength * share * bright) }
+        }))
     }
 
     /// The bass: one low tone and its octave.
     pub fn bass(&self, pitch: f32, peak: f32) -> Recipe {
-        let mut recipe = Recipe::default();
-        let tone = |pitch, fade, peak| Some(Tone { at: 0.0, pitch, glide: 0.0, swell: 0.006 + 0.3 * self.attack, fade, peak });
-        (recipe.tones[0], recipe.tones[1]) = (tone(pitch, 0.22, peak), tone(2.0 * pitch, 0.1, 0.3 * peak));
-        recipe
+        let tone = |pitch, fade, peak| SoundPart { swell: 0.006 + 0.3 * self.attack, ..struck(pitch, fade, peak) };
+        Recipe::new([tone(pitch, 0.22, peak), tone(2.0 * pitch, 0.1, 0.3 * peak)])
     }
 
     pub fn brush(&self, peak: f32) -> Recipe {
-        let ((pitch, fade), mut recipe) = (self.brush, Recipe::default());
-        recipe.bursts[0] = Some(Burst { at: 0.0, pitch, glide: 0.0, narrowness: 0.9, swell: 0.004, fade, peak });
-        recipe
+        Recipe::new([SoundPart { swell: 0.004, ..burst(self.brush.0, 0.9, self.brush.1, peak) }])
     }
 }
 

@@ -1,6 +1,6 @@
 //! Plays a [`Recipe`], sample by sample. Nothing is allocated: a fixed number of voices is used again and again.
 
-use super::cue::{BURSTS, Burst, Recipe, TONES, Tone};
+use super::cue::{PARTS, Recipe, SoundPart};
 use super::filter::{BandPass, WhiteNoise};
 use std::f32::consts::TAU;
 
@@ -12,30 +12,27 @@ const END: f32 = 0.006;
 /// The highest pitch as a share of the rate: above half of it a pitch would alias.
 const HIGHEST: f32 = 0.45;
 
-#[derive(Debug)]
 pub struct Voice {
     rate: f32,
-    tones: [Option<Sine>; TONES],
-    bursts: [Option<Hiss>; BURSTS],
+    parts: [Option<PlayedPart>; PARTS],
     age: u32,
     length: u32,
     gains: [f32; 2],
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Sine {
-    tone: Tone,
+struct PlayedPart {
+    part: SoundPart,
     envelope: Envelope,
-    /// A unit vector that turns: its y is the sine.
-    at: [f32; 2],
-    turn: [f32; 2],
+    source: PartSource,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Hiss {
-    burst: Burst,
-    envelope: Envelope,
-    filter: BandPass,
+enum PartSource {
+    /// A unit vector, whose y is the sine, and how it turns.
+    Sine([f32; 2], [f32; 2]),
+    /// With its narrowness.
+    Hiss(BandPass, f32),
 }
 
 /// Rises linearly from 0 to 1 and decays at the same time.
@@ -49,7 +46,7 @@ struct Envelope {
 }
 
 impl Envelope {
-    fn new(rate: f32, at: f32, swell: f32, fade: f32) -> Self {
+    fn new(rate: f32, SoundPart { at, swell, fade, .. }: SoundPart) -> Self {
         let swells = 1.0 / (swell * rate).max(1.0);
         Self { begins: (at * rate) as u32, swollen: 0.0, swells, level: 1.0, keeps: (-1.0 / (fade * rate)).exp() }
     }
@@ -61,31 +58,32 @@ impl Envelope {
     }
 }
 
+impl PartSource {
+    fn next(&mut self, noise: &mut WhiteNoise) -> f32 {
+        match self {
+            Self::Sine(at, [c, s]) => {
+                *at = [at[0] * *c - at[1] * *s, at[0] * *s + at[1] * *c];
+                at[1]
+            }
+            Self::Hiss(filter, _) => filter.next(noise.next()),
+        }
+    }
+}
+
 impl Voice {
     /// The recipe from its beginning, at `rate` samples a second; one gain for the left and one for the right.
     pub fn new(recipe: &Recipe, rate: f32, gains: [f32; 2]) -> Self {
-        let ends = (recipe.tones.iter().flatten().map(|tone| tone.at + tone.swell + FADES * tone.fade))
-            .chain(recipe.bursts.iter().flatten().map(|burst| burst.at + burst.swell + FADES * burst.fade));
+        let ends = recipe.0.iter().flatten().map(|part| part.at + part.swell + FADES * part.fade);
         let length = (ends.fold(0.0, f32::max) * rate) as u32;
-        let sine = |tone: Tone| Sine {
-            tone,
-            envelope: Envelope::new(rate, tone.at, tone.swell, tone.fade),
-            at: [1.0, 0.0],
-            turn: [1.0, 0.0],
+        let played = |part: SoundPart| {
+            let hiss = part.narrowness.map(|narrowness| PartSource::Hiss(BandPass::default(), narrowness));
+            PlayedPart {
+                part,
+                envelope: Envelope::new(rate, part),
+                source: hiss.unwrap_or(PartSource::Sine([1.0, 0.0], [1.0, 0.0])),
+            }
         };
-        let hiss = |burst: Burst| Hiss {
-            burst,
-            envelope: Envelope::new(rate, burst.at, burst.swell, burst.fade),
-            filter: BandPass::default(),
-        };
-        Self {
-            rate,
-            tones: recipe.tones.map(|tone| tone.map(sine)),
-            bursts: recipe.bursts.map(|b| b.map(hiss)),
-            age: 0,
-            length,
-            gains,
-        }
+        Self { rate, parts: recipe.0.map(|part| part.map(played)), age: 0, length, gains }
     }
 
     pub const fn left(&self) -> u32 {
@@ -101,16 +99,9 @@ impl Voice {
             self.tune();
         }
         let mut sum = 0.0;
-        for Sine { tone, envelope, at, turn } in self.tones.iter_mut().flatten() {
+        for PlayedPart { part, envelope, source } in self.parts.iter_mut().flatten() {
             if self.age >= envelope.begins {
-                let [c, s] = *turn;
-                *at = [at[0] * c - at[1] * s, at[0] * s + at[1] * c];
-                sum += tone.peak * envelope.next() * at[1];
-            }
-        }
-        for Hiss { burst, envelope, filter } in self.bursts.iter_mut().flatten() {
-            if self.age >= envelope.begins {
-                sum += burst.peak * envelope.next() * filter.next(noise.next());
+                sum += part.peak * envelope.next() * source.next(noise);
             }
         }
         let end = (self.left() as f32 / (END * self.rate)).min(1.0);
@@ -118,28 +109,26 @@ impl Voice {
         Some(self.gains.map(|gain| gain * end * sum))
     }
 
-    /// Sets the present pitches.
     fn tune(&mut self) {
         let (age, rate) = (self.age, self.rate);
-        let now = |pitch: f32, glide: f32, begins: u32| {
-            let t = age.saturating_sub(begins) as f32 / rate;
-            (pitch * (glide * t).exp2()).min(HIGHEST * rate)
-        };
-        for Sine { tone, envelope, at, turn } in self.tones.iter_mut().flatten() {
-            let (s, c) = (TAU * now(tone.pitch, tone.glide, envelope.begins) / rate).sin_cos();
-            *turn = [c, s];
-            // Rounding changes the vector's length over time.
-            let length = at[0].hypot(at[1]);
-            *at = at.map(|side| side / length);
-        }
-        for Hiss { burst, envelope, filter } in self.bursts.iter_mut().flatten() {
-            filter.set(rate, now(burst.pitch, burst.glide, envelope.begins), burst.narrowness);
+        for PlayedPart { part, envelope, source } in self.parts.iter_mut().flatten() {
+            let t = age.saturating_sub(envelope.begins) as f32 / rate;
+            let pitch = (part.pitch * (part.glide * t).exp2()).min(HIGHEST * rate);
+            match source {
+                PartSource::Sine(at, turn) => {
+                    let (s, c) = (TAU * pitch / rate).sin_cos();
+                    *turn = [c, s];
+                    // Rounding changes the vector's length over time.
+                    let length = at[0].hypot(at[1]);
+                    *at = at.map(|side| side / length);
+                }
+                PartSource::Hiss(filter, narrowness) => filter.set(rate, pitch, *narrowness),
+            }
         }
     }
 }
 
 /// A fixed number of voices. A new one replaces the one nearest its end when all are taken.
-#[derive(Debug)]
 pub struct Choir<const N: usize>([Option<Voice>; N]);
 
 impl<const N: usize> Choir<N> {
@@ -147,7 +136,6 @@ impl<const N: usize> Choir<N> {
         Self([const { None }; N])
     }
 
-    /// Adds a voice.
     pub fn sing(&mut self, voice: Voice) {
         let left = |voice: &Option<Voice>| voice.as_ref().map_or(0, Voice::left);
         if let Some(place) = self.0.iter_mut().min_by_key(|place| left(place)) {
@@ -168,7 +156,6 @@ impl<const N: usize> Choir<N> {
         sum
     }
 
-    /// Ends all voices.
     pub fn hush(&mut self) {
         self.0.fill_with(|| None);
     }
@@ -192,9 +179,8 @@ mod tests {
 
     #[test]
     fn a_gliding_tone_keeps_its_amplitude() {
-        let tone = Tone { at: 0.0, pitch: 100.0, glide: 1.0, swell: 0.0, fade: 1e6, peak: 0.5 };
-        let mut recipe = Recipe::default();
-        recipe.tones[0] = Some(tone);
+        let tone = SoundPart { at: 0.0, pitch: 100.0, glide: 1.0, narrowness: None, swell: 0.0, fade: 1e6, peak: 0.5 };
+        let recipe = Recipe::new([tone]);
         let mut voice = Voice::new(&recipe, 48_000.0, [1.0, 0.5]);
         let mut noise = WhiteNoise::new(0);
         let mut peaks = [0.0_f32; 2];

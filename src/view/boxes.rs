@@ -34,15 +34,13 @@ pub struct BoxWish {
 pub fn place(wishes: &[BoxWish], window: Area, taken: &[Area], kept_clear: &[Area]) -> Vec<Option<Area>> {
     let mut fixed = taken.to_vec();
     let mut map = FreeMap::new(window, taken, kept_clear);
-    let mut places: Vec<Option<Area>> = wishes
-        .iter()
-        .map(|wish| {
-            let area = best(wish, window, &fixed, &map)?;
-            fixed.push(area);
-            map.take(&area);
-            Some(area)
-        })
-        .collect();
+    let place = |wish: &BoxWish| {
+        let area = best(wish, window, &fixed, &map)?;
+        fixed.push(area);
+        map.take(&area);
+        Some(area)
+    };
+    let mut places: Vec<Option<Area>> = wishes.iter().map(place).collect();
     exchange(wishes, &mut places);
     places
 }
@@ -131,7 +129,7 @@ impl FreeMap {
             cost_sums: vec![0.0; sums],
         };
         taken.iter().for_each(|area| map.mark(area));
-        map.sum_taken();
+        sum(columns, map.taken.iter().map(|taken| u32::from(*taken)), &mut map.taken_sums);
         let mut costs = vec![0.0; columns * rows];
         for area in kept_clear {
             let [left, top, right, bottom] = map.cells(area);
@@ -159,13 +157,9 @@ impl FreeMap {
         }
     }
 
-    fn sum_taken(&mut self) {
-        sum(self.columns, self.taken.iter().map(|taken| u32::from(*taken)), &mut self.taken_sums);
-    }
-
     fn take(&mut self, area: &Area) {
         self.mark(area);
-        self.sum_taken();
+        sum(self.columns, self.taken.iter().map(|taken| u32::from(*taken)), &mut self.taken_sums);
     }
 
     fn is_free(&self, area: &Area) -> bool {

@@ -1,5 +1,4 @@
 //! The part of the level in the window: pure arithmetic from the ship, the level and the canvas to one [`Viewport`].
-//!
 //! The objects that the ship has set in motion: the camera keeps them in view while they move.
 
 use crate::draw::layout::{Area, Vec2};
@@ -16,8 +15,7 @@ const AHEAD_MOST: DVec2 = DVec2::new(9.0, 5.0);
 const AHEAD_EASE: f64 = 0.6;
 /// Below this speed the camera looks at the ship itself, m/s: a drifting, turning ship would make it sway.
 const AHEAD_FROM: f64 = 2.0;
-/// The least distance from the window's edge to the ship's centre, m (in a window that has the room). Below half the ship it could
-/// leave the screen while the camera still eases.
+/// The least distance from the window's edge to the ship's centre, m: below half the ship it could leave the screen while the camera eases.
 const SHIP_MARGIN: f64 = 3.0;
 /// The most that a level smaller than the window is magnified to fill it.
 const MAX_ZOOM: f64 = 1.5;
@@ -37,8 +35,7 @@ const WIDER: f64 = 0.78;
 const WIDENS: [f64; 2] = [8.0, 24.0];
 const WIDER_EASE: f64 = 0.9;
 
-/// The point that the camera looks at: it eases after the ship, a little ahead of it, regardless of the window and the level's
-/// edges.
+/// The point that the camera looks at: it eases after the ship, a little ahead of it, regardless of the window and the level's edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The ship's place, eased, m.
@@ -63,11 +60,6 @@ impl Camera {
         Self { ship, ahead: DVec2::ZERO, closeness: 1.0, fitted: None, fits: 0.0, speed: 0.0, zoom: None }
     }
 
-    /// Returns to the usual distance.
-    pub const fn open_up(&mut self) {
-        self.closeness = 1.0;
-    }
-
     /// Eases towards the ship's centre (m) and, from there, ahead by its velocity (m/s); the frame rate does not change the path.
     pub fn follow(&mut self, ship: DVec2, velocity: DVec2, frame_time: f64) {
         let share = |time: f64| 1.0 - (-frame_time.max(0.0) / time).exp();
@@ -78,8 +70,7 @@ impl Camera {
         self.ship += (ship - self.ship) * share(EASE_TIME);
     }
 
-    /// Turns to the box to be fitted (m), or away from it where there is none, and zooms; at once in its first frame, and
-    /// not at all while no time passes.
+    /// Turns to the box to be fitted (m), or away where there is none, and zooms; at once in its first frame, not at all while no time passes.
     pub fn turn(&mut self, fit: Option<Aabb>, zoom: f64, frame_time: f64) {
         let Some(before) = self.zoom else {
             (self.fitted, self.fits, self.zoom) =
@@ -152,9 +143,8 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// Looks at `focus` (m), but keeps the ship on the screen and the outside of the level off it. A level that is smaller than the
-    /// window along an axis even when magnified 1.5 times is centred along it. `level` is its size (m), `metre` canvas units a
-    /// metre at the usual magnification.
+    /// Looks at `focus` (m), but keeps the ship on the screen and the outside of the level off it. A level that is smaller than the window along an
+    /// axis even when magnified 1.5 times is centred along it. `level` is its size (m), `metre` canvas units a metre at the usual magnification.
     pub fn new(focus: DVec2, ship: DVec2, level: DVec2, metre: f64, window: CanvasWindow) -> Self {
         let zoom = (window.size / (level * metre)).max_element().clamp(1.0, MAX_ZOOM);
         let usual = Self { scale: metre * zoom, origin: DVec2::ZERO, level, beyond: 0.0, window };
@@ -268,7 +258,6 @@ impl Viewport {
     }
 }
 
-/// The box with its edges moved outwards.
 fn grown(bounds: &Aabb, by: f64) -> Aabb {
     Aabb::new(bounds.min - by, bounds.max + by)
 }
@@ -285,21 +274,18 @@ impl StirredObjects {
     /// Takes up a tick: an object that the ship, or one of these objects, hits, pushes or pulls by a link is one of them.
     pub fn after_tick(&mut self, game: &Game) {
         let world = game.world();
-        for event in world.events() {
-            if let Event::Impact { a, b: Obstacle::Body(b), .. } = *event {
-                for (by, hit) in [(a, b), (b, a)] {
-                    if by == SHIP || self.has(by) {
-                        self.add(hit);
-                    }
-                }
-            }
-        }
-        for link in world.links().iter().filter(|link| link.acts()) {
-            if let LinkEnd::Body(b) = link.def().to {
-                for (by, pulled) in [(link.def().body, b), (b, link.def().body)] {
-                    if by == SHIP || self.has(by) {
-                        self.add(pulled);
-                    }
+        let hits = world.events().iter().filter_map(|event| match *event {
+            Event::Impact { a, b: Obstacle::Body(b), .. } => Some((a, b)),
+            _ => None,
+        });
+        let pulls = world.links().iter().filter(|link| link.acts()).filter_map(|link| match link.def().to {
+            LinkEnd::Body(b) => Some((link.def().body, b)),
+            LinkEnd::Place(_) => None,
+        });
+        for (a, b) in hits.chain(pulls) {
+            for (by, other) in [(a, b), (b, a)] {
+                if by == SHIP || self.has(by) {
+                    self.add(other);
                 }
             }
         }
@@ -332,8 +318,7 @@ impl StirredObjects {
         self.0.iter().filter(|(_, rested)| *rested < FORGOTTEN * 0.5).map(|(body, _)| *body)
     }
 
-    /// The box around the ship and as many of them, nearest first, as fit into `room` (m); `centre` returns drawn centres, m. `None`
-    /// where there is none of them.
+    /// The box around the ship and as many of them, nearest first, as fit into `room` (m), by their drawn centres, m. `None` without any.
     pub fn framed(&self, game: &Game, room: DVec2, centre: impl Fn(BodyId) -> DVec2) -> Option<Aabb> {
         let area = |body: BodyId| Aabb::around(centre(body), game.world().body(body).half);
         let ship = area(SHIP);

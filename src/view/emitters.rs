@@ -27,7 +27,6 @@ const FELT_REACH: f64 = 1.6;
 /// The most particles a second of all objectives, key objects and streams in view together: with more they thin out.
 const MOST_A_SECOND: f64 = 260.0;
 
-/// A steady emitter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Emitter {
     Objective(usize),
@@ -50,9 +49,8 @@ pub struct Emitters {
 impl Emitters {
     pub fn new(level: &Level) -> Self {
         let keys = (0..level.objects.len()).filter(|&i| level.objects[i].key.is_some());
-        let all = ((0..level.objectives.len()).map(Emitter::Objective))
-            .chain(keys.map(Emitter::Key))
-            .chain((0..level.streams.len()).map(Emitter::Stream));
+        let streams = (0..level.streams.len()).map(Emitter::Stream);
+        let all = (0..level.objectives.len()).map(Emitter::Objective).chain(keys.map(Emitter::Key)).chain(streams);
         Self { all: all.map(|emitter| (emitter, 0.0)).collect(), plume: 0.0, felt: [0.0; 2], strength: 0.0, way: 1.0 }
     }
 
@@ -141,7 +139,6 @@ pub fn dust(particles: &mut Particles, point: DVec2, normal: DVec2, speed: f64) 
 pub fn objective_colour(game: &Game, index: usize) -> Colour {
     match game.level().objectives[index].kind {
         _ if game.met()[index] => theme::good(),
-        // The objective is not open yet.
         _ if !game.is_open(index) => theme::quiet(),
         ObjectiveKind::Player => theme::player_objective(),
         ObjectiveKind::Physics => theme::physics_objective(),
@@ -196,13 +193,8 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
             // It begins far enough upstream that its whole path lies in the zone.
             let position = stream.zone.min + place * size;
             let room = (stream.zone.max - position).max(DVec2::ZERO).min(size);
-            let ahead = if way.x.abs() > way.y.abs() {
-                if way.x > 0.0 { room.x } else { size.x - room.x }
-            } else if way.y > 0.0 {
-                room.y
-            } else {
-                size.y - room.y
-            };
+            let axis = usize::from(way.x.abs() <= way.y.abs());
+            let ahead = if way[axis] > 0.0 { room[axis] } else { size[axis] - room[axis] };
             let life = life.min(ahead / speed);
             if life as f32 > 0.1 {
                 let colour = theme::force(ForceKind::Wind);
@@ -246,7 +238,7 @@ mod tests {
     #[test]
     fn dust_grows_with_the_impact_and_stays_bounded() {
         let count = |speed: f64| {
-            let mut particles = Particles::new();
+            let mut particles = Particles::default();
             dust(&mut particles, DVec2::ZERO, DVec2::NEG_Y, speed);
             particles.all.len()
         };
@@ -257,7 +249,7 @@ mod tests {
     #[test]
     fn sparks_begin_on_the_outline() {
         let bounds = Aabb::new(DVec2::new(1.0, 2.0), DVec2::new(4.0, 3.0));
-        let mut particles = Particles::new();
+        let mut particles = Particles::default();
         for _ in 0..200 {
             let (p, out) = on_outline(&bounds, &mut particles);
             assert!(bounds.contains(&Aabb::new(p, p), 1e-9) && !bounds.contains(&Aabb::new(p + out * 0.01, p + out * 0.01), 0.0));

@@ -1,5 +1,4 @@
 //! The facts in a body's details box, read from the world's own state without computing them again. Their wording is elsewhere.
-//!
 //! Rows of quantities for players, y upwards as in school: the engine and the level's files count y downwards.
 
 use crate::game::{Game, SHIP, body_title, plain_name};
@@ -49,23 +48,19 @@ impl ArrowKind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Value {
     Scalar(f64),
-    /// x and y.
     Vector(DVec2),
 }
 
 /// A line of a box.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FactRow {
-    /// The quantity.
     pub name: &'static str,
     /// The exerting body in words; empty where there is none, or for a sum.
     pub by: String,
     pub value: Value,
-    /// Unit.
     pub unit: &'static str,
     /// The force or impact, where the line has a colour.
     pub shown: Option<ArrowKind>,
-    /// The sources of the force.
     pub causes: Vec<Source>,
 }
 
@@ -120,45 +115,20 @@ pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
     rows.push(line(ArrowKind::Resultant, balanced(forces.resultant(), strongest), "N"));
     let exerted = |row: FactRow, causes: Vec<Source>| FactRow { by: by_whom(game, id, &causes), causes, ..row };
     let named = by_name(&forces).into_iter();
-    rows.extend(named.map(|force| exerted(line(ArrowKind::Force(force.kind), force.vector, "N"), force.by)));
-    let impacts = impacts(game, id);
-    rows.extend(impacts.each.iter().map(|(impulse, by)| exerted(line(ArrowKind::Impact, *impulse, IMPULSE_UNIT), vec![*by])));
-    if impacts.others.0 > 0 {
-        let by = if impacts.others.0 == 1 {
-            tr("a lesser one").to_owned()
+    rows.extend(named.map(|(kind, force, by)| exerted(line(ArrowKind::Force(kind), force, "N"), by)));
+    let (mut count, mut others, least) = (0, DVec2::ZERO, SMALLEST_IMPACT * body.mass);
+    for (i, felt) in game.impacts(id).iter().enumerate() {
+        if i < IMPACTS + count && felt.impulse.length() >= least {
+            rows.push(exerted(line(ArrowKind::Impact, felt.impulse, IMPULSE_UNIT), vec![source(felt.by)]));
         } else {
-            tr!("{count} lesser ones", count = impacts.others.0)
-        };
-        rows.push(FactRow { by, ..line(ArrowKind::Impact, impacts.others.1, IMPULSE_UNIT) });
-    }
-    BodyFacts { body: id, title: body_title(game.level(), id), rows }
-}
-
-/// The impacts on a body: the largest ones, each with its source, and the number of the others with their sum (N·s).
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ListedImpacts {
-    /// The largest first.
-    pub each: Vec<(DVec2, Source)>,
-    /// Number and sum of all others.
-    pub others: (usize, DVec2),
-}
-
-/// The impacts that can still be read.
-pub fn impacts(game: &Game, id: BodyId) -> ListedImpacts {
-    let mut listed = ListedImpacts::default();
-    let least = SMALLEST_IMPACT * game.world().body(id).mass;
-    for felt in game.impacts(id) {
-        if listed.each.len() < IMPACTS && felt.impulse.length() >= least {
-            listed.each.push((felt.impulse, source(felt.by)));
-        } else {
-            listed.others.0 += 1;
-            listed.others.1 += felt.impulse;
+            (count, others) = (count + 1, others + felt.impulse);
         }
     }
-    if listed.others.1.length() < least {
-        listed.others.0 = 0;
+    if count > 0 && others.length() >= least {
+        let by = if count == 1 { tr("a lesser one").to_owned() } else { tr!("{count} lesser ones", count) };
+        rows.push(FactRow { by, ..line(ArrowKind::Impact, others, IMPULSE_UNIT) });
     }
-    listed
+    BodyFacts { body: id, title: body_title(game.level(), id), rows }
 }
 
 const fn source(obstacle: Obstacle) -> Source {
@@ -177,8 +147,7 @@ pub fn linked_to(game: &Game, body: BodyId, link: u32) -> Option<BodyId> {
     }
 }
 
-/// The source of a force or an impact on a body in words: bodies by the titles of their boxes, also those at the other end of a link. Several
-/// are counted.
+/// The source of a force or an impact in words: bodies by the titles of their boxes, also at the other end of a link. Several are counted.
 pub fn by_whom(game: &Game, on: BodyId, causes: &[Source]) -> String {
     let all = |sort: fn(&Source) -> bool| causes.iter().all(sort);
     match causes {
@@ -197,30 +166,21 @@ pub fn by_whom(game: &Game, on: BodyId, causes: &[Source]) -> String {
     }
 }
 
-#[derive(Clone, Debug, PartialEq)]
-struct NamedForce {
-    pub kind: ForceKind,
-    /// Sum, N.
-    pub vector: DVec2,
-    /// Each of their sources once.
-    pub by: Vec<Source>,
-}
-
-/// The forces by name, in the usual order. Forces of one name that point the same way (the reactions of two floor tiles) are one;
+/// The forces by name, in the usual order: the sum, N, and each of their sources once. Forces of one name that point the same way (the reactions of two floor tiles) are one;
 /// those of one name that oppose each other stay apart, for their sum would hide the pressure.
-fn by_name(forces: &ForceManager) -> Vec<NamedForce> {
-    let mut named: Vec<NamedForce> = Vec::new();
+fn by_name(forces: &ForceManager) -> Vec<(ForceKind, DVec2, Vec<Source>)> {
+    let mut named: Vec<(ForceKind, DVec2, Vec<Source>)> = Vec::new();
     for kind in ForceKind::ALL {
         let first = named.len();
         for force in forces.forces().iter().filter(|force| force.kind == kind) {
-            match named[first..].iter_mut().find(|named| same_way(named.vector, force.vector)) {
-                Some(named) => {
-                    named.vector += force.vector;
-                    if !named.by.contains(&force.source) {
-                        named.by.push(force.source);
+            match named[first..].iter_mut().find(|(_, sum, _)| same_way(*sum, force.vector)) {
+                Some((_, sum, by)) => {
+                    *sum += force.vector;
+                    if !by.contains(&force.source) {
+                        by.push(force.source);
                     }
                 }
-                None => named.push(NamedForce { kind, vector: force.vector, by: vec![force.source] }),
+                None => named.push((kind, force.vector, vec![force.source])),
             }
         }
     }
@@ -320,8 +280,7 @@ fn balance(rows: &[FactRow], resultant: usize, all: &mut [(Vec<String>, Quantity
     }
 }
 
-/// Whole numbers of which `sum` is the sum, each next to its part: the nearest ones, but for those parts that are farthest from them. Each
-/// part says whether it reads as zero, and should then stay so.
+/// Whole numbers with that sum, the nearest to their parts but for the parts farthest from them; a part that reads as zero should stay so.
 fn rounded_to(sum: f64, parts: &[(f64, bool)]) -> Vec<f64> {
     let mut counts: Vec<f64> = parts.iter().map(|(part, _)| part.round()).collect();
     let missing = sum - counts.iter().sum::<f64>();

@@ -1,8 +1,7 @@
 //! Feedback on events: the screen's shake and red edges after a damaging hit, the flash of a death, floating words for lost points
 //! and praise, the ring of a met objective.
 
-use super::camera::Viewport;
-use super::theme;
+use super::{camera::Viewport, theme};
 use crate::draw::layout::{Area, BUTTON_TEXT, LINE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::physics::DVec2;
@@ -35,8 +34,8 @@ const RUN_LENGTH: f64 = 0.3;
 pub struct Feedback {
     hit: Option<f64>,
     death: Option<f64>,
-    floats: Vec<Float>,
-    rings: Vec<(DVec2, Colour, f64)>,
+    floats: Vec<(Float, f64)>,
+    rings: Vec<((DVec2, Colour), f64)>,
     /// The corners of a wire, m.
     runs: Vec<([DVec2; 3], f64)>,
 }
@@ -46,7 +45,12 @@ struct Float {
     point: DVec2,
     words: String,
     colour: Colour,
-    age: f64,
+}
+
+/// Effects that last for a time, s.
+fn age<T>(effects: &mut Vec<(T, f64)>, frame_time: f64, lasts: f64) {
+    effects.iter_mut().for_each(|(_, age)| *age += frame_time);
+    effects.retain(|(_, age)| *age < lasts);
 }
 
 impl Feedback {
@@ -63,12 +67,12 @@ impl Feedback {
 
     /// `point` in m.
     pub fn float(&mut self, point: DVec2, words: String, colour: Colour) {
-        self.floats.push(Float { point, words, colour, age: 0.0 });
+        self.floats.push((Float { point, words, colour }, 0.0));
     }
 
     /// `centre` in m.
     pub fn ring(&mut self, centre: DVec2, colour: Colour) {
-        self.rings.push((centre, colour, 0.0));
+        self.rings.push(((centre, colour), 0.0));
     }
 
     /// Light runs along the wire from a switch to the thing that it works, m.
@@ -79,16 +83,9 @@ impl Feedback {
     pub fn advance(&mut self, frame_time: f64) {
         self.hit = self.hit.map(|age| age + frame_time).filter(|age| *age < SHAKE_TIME.max(FLASH_TIME));
         self.death = self.death.map(|age| age + frame_time).filter(|age| *age < DEATH_FLASH);
-        for float in &mut self.floats {
-            float.age += frame_time;
-        }
-        self.floats.retain(|float| float.age < FLOAT_TIME);
-        for (_, _, age) in &mut self.rings {
-            *age += frame_time;
-        }
-        self.rings.retain(|(_, _, age)| *age < RING_TIME);
-        self.runs.iter_mut().for_each(|(_, age)| *age += frame_time);
-        self.runs.retain(|(_, age)| *age < RUN_TIME);
+        age(&mut self.floats, frame_time, FLOAT_TIME);
+        age(&mut self.rings, frame_time, RING_TIME);
+        age(&mut self.runs, frame_time, RUN_TIME);
     }
 
     /// The shake of the screen, canvas units: at most 6 along each axis, none after 200 ms.
@@ -101,7 +98,7 @@ impl Feedback {
 
     /// The rings and the floating words, in the level.
     pub fn draw_in_level(&self, view: &Viewport, canvas: &Canvas) {
-        for (centre, colour, age) in &self.rings {
+        for ((centre, colour), age) in &self.rings {
             let t = age / RING_TIME;
             let spread = 1.0 - (1.0 - t).powi(3);
             canvas.ring(view.point(*centre), view.length(0.5 + RING_REACH * spread), 4.0, colour.faded(1.0 - t as f32));
@@ -111,14 +108,13 @@ impl Feedback {
         }
         let line = canvas.frame().text_height(BUTTON_TEXT) * LINE;
         let mut newer: Option<Vec2> = None;
-        for Float { point, words, colour, age } in self.floats.iter().rev() {
+        for (Float { point, words, colour }, age) in self.floats.iter().rev() {
             let t = (age / FLOAT_TIME) as f32;
             let at = view.point(*point - DVec2::new(0.0, 1.2 + FLOAT_SPEED * age));
             // After a hit at the edge of the screen the words stay on it; under a roof they float beside the ship.
             let beside = if at.y < TOP { FLOAT_ASIDE * (canvas.size().x / 2.0 - at.x).signum() } else { 0.0 };
             let low = Vec2::new(48.0, TOP);
             let mut at = (at + Vec2::new(beside, 0.0)).clamp(low, (canvas.size() - low).max(low));
-            // Older words stand above newer ones.
             if let Some(newer) = newer.filter(|newer| (newer.x - at.x).abs() < FLOAT_WIDTH) {
                 at.y = at.y.min(newer.y - line);
             }
@@ -133,7 +129,7 @@ impl Feedback {
         const BANDS: usize = 12;
         if let Some(age) = self.death {
             let left = (1.0 - age / DEATH_FLASH) as f32;
-            canvas.rectangle(Area::new(0.0, 0.0, canvas.size().x, canvas.size().y), theme::text().faded(0.7 * left));
+            canvas.rectangle(canvas.frame().area(), theme::text().faded(0.7 * left));
         }
         let Some(age) = self.hit else { return };
         let left = (1.0 - age / FLASH_TIME).max(0.0) as f32;
@@ -162,8 +158,7 @@ fn draw_run(wire: &[DVec2; 3], part: f64, view: &Viewport, canvas: &Canvas) {
     let line = |from: f64, to: f64, width: f32, colour: Colour| {
         // The corner belongs to a stretch around it.
         let corner = (from < lengths[0] && lengths[0] < to).then_some(wire[1]);
-        let points: Vec<Vec2> =
-            [Some(at(from)), corner, Some(at(to))].into_iter().flatten().map(|point| view.point(point)).collect();
+        let points: Vec<Vec2> = [Some(at(from)), corner, Some(at(to))].into_iter().flatten().map(|at| view.point(at)).collect();
         points.windows(2).for_each(|pair| canvas.line(pair[0], pair[1], width, colour));
     };
     let head = part * (1.0 + RUN_LENGTH) * all;

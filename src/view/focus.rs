@@ -1,8 +1,6 @@
-//! The subject of the details: all bodies in view, one that is followed, or two that are compared; with the zoom of the view and
-//! the length of the arrows.
-//!
-//! The partner of a force: by Newton's third law, the body that exerts it feels the opposite one. In words, and with its place in
-//! the level where there is one; the Earth has none.
+//! The subject of the details: all bodies in view, one that is followed, or two that are compared; with the zoom of the view and the length of the
+//! arrows. A force's partner by Newton's third law: the body that exerts it feels the opposite one; in words, and with its place in the level where
+//! there is one; the Earth has none.
 
 use super::facts::{ArrowKind, BodyFacts, FactRow, Value, by_whom, linked_to, quantity};
 use crate::game::Game;
@@ -95,7 +93,6 @@ const ANCHOR: f64 = 0.3;
 pub struct Partner {
     /// Subject, verb and object, with the size of the force or impact.
     pub words: Vec<String>,
-    /// The bodies that feel it.
     pub bodies: Vec<BodyId>,
     /// Places of other partners, m.
     pub places: Vec<Aabb>,
@@ -105,15 +102,9 @@ pub struct Partner {
 pub fn partner(game: &Game, facts: &BodyFacts, row: &FactRow) -> Option<Partner> {
     let (shown, vector) = row.exerted()?;
     let back = FactRow::plain("", Value::Vector(-vector), row.unit);
-    let words = [
-        tr!(
-            "Third law: {body} {does} {whom}",
-            body = facts.title,
-            does = tr(does(shown)),
-            whom = by_whom(game, facts.body, &row.causes)
-        ),
-        tr!("with {force}", force = quantity(&back, 0)),
-    ];
+    let (does, whom) = (tr(does(shown)), by_whom(game, facts.body, &row.causes));
+    let words =
+        [tr!("Third law: {body} {does} {whom}", body = facts.title, does, whom), tr!("with {force}", force = quantity(&back, 0))];
     let bodies = row.causes.iter().filter_map(|cause| match cause {
         Source::Body(body) => Some(*body),
         Source::Link(link) => linked_to(game, facts.body, *link),
@@ -132,7 +123,6 @@ pub fn answer(other: &BodyFacts, shown: ArrowKind, body: BodyId, causes: &[Sourc
     other.rows.iter().position(|row| row.shown == Some(shown) && row.causes.iter().any(answers))
 }
 
-/// The verb of the partner: what the body does to the source.
 const fn does(shown: ArrowKind) -> &'static str {
     match shown {
         ArrowKind::Resultant => "acts on",
@@ -141,7 +131,6 @@ const fn does(shown: ArrowKind) -> &'static str {
     }
 }
 
-/// The place of a source, if it has one and is no body.
 fn place(game: &Game, cause: Source) -> Option<Aabb> {
     let level = game.level();
     match cause {

@@ -7,8 +7,7 @@ use super::scale::{Arrow, ArrowScale, HEAD_SPREAD, Label, Reach, head_length};
 use crate::draw::layout::{Area, Vec2};
 use crate::game::SHIP;
 use crate::physics::{BodyId, DVec2};
-use std::collections::HashMap;
-use std::sync::LazyLock;
+use std::{collections::HashMap, sync::LazyLock};
 
 /// From the window's edge to an arrow's ends, canvas units.
 const EDGE: f32 = 6.0;
@@ -38,7 +37,6 @@ const LONGEST: f64 = 1e6;
 #[derive(Clone, Debug)]
 pub struct ArrowSubject {
     pub facts: BodyFacts,
-    /// Drawn place.
     pub object: Area,
 }
 
@@ -102,9 +100,7 @@ pub fn reaches(subjects: &[ArrowSubject], ground: &Ground) -> [Vec<Reach>; 2] {
 /// The arrows, from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct ArrowLayout {
-    /// The arrows with a place.
     pub arrows: Vec<Arrow>,
-    /// The number of the others.
     pub left_out: usize,
     /// The index in [`MOVES`] of each arrow: by its body, its kind, and its place among those of the same kind.
     moved: HashMap<(BodyId, ArrowKind, usize), usize>,
@@ -120,18 +116,14 @@ impl ArrowLayout {
         for subject in subjects {
             let mut rows: Vec<(usize, ArrowKind, DVec2)> = told_rows(&subject.facts, scale);
             // The longest first, so that a shorter one over a longer can be seen; the resultant below all.
-            rows.sort_by(|a, b| {
-                (b.1 == ArrowKind::Resultant)
-                    .cmp(&(a.1 == ArrowKind::Resultant))
-                    .then(b.2.length_squared().total_cmp(&a.2.length_squared()))
-            });
+            let arrow = |row: &(usize, ArrowKind, DVec2)| row.1 != ArrowKind::Resultant;
+            rows.sort_by(|a, b| arrow(a).cmp(&arrow(b)).then(b.2.length_squared().total_cmp(&a.2.length_squared())));
             for (i, &(row, shown, metres)) in rows.iter().enumerate() {
                 let nth = rows[..i].iter().filter(|other| other.1 == shown).count();
                 let key = (subject.facts.body, shown, nth);
                 let drawn = (metres.normalize_or_zero().as_vec2(), (metres.length() * metre).min(LONGEST) as f32);
                 let wish = ArrowWish::new(subject, shown, drawn, ground);
-                let near: Vec<Area> =
-                    ground.never.iter().chain(&heads).copied().filter(|area| area.gap(&wish.reach) < 0.0).collect();
+                let near: Vec<_> = ground.never.iter().chain(&heads).copied().filter(|area| area.gap(&wish.reach) < 0.0).collect();
                 match wish.place(before.get(&key).copied(), &near, ground) {
                     Some((index, from, to, to_scale)) => {
                         self.moved.insert(key, index);
@@ -209,7 +201,6 @@ struct ArrowWish {
     length: f32,
     least: f32,
     base: f32,
-    /// The area that its moves can reach.
     reach: Area,
 }
 
@@ -225,7 +216,6 @@ impl ArrowWish {
         let by_scale = if outside > 0.0 || head.x > head.y { outside + head.x } else { SHORTEST };
         let least = if length >= by_scale.max(SHORTEST) { least.min(length) } else { least };
         let (room, slides) = (ground.room(from, along), f32::from(SLIDES[0]) * SLIDE);
-        // An arrow longer than its room and its slides is cut.
         let base = if length > room + slides { room } else { length }.max(least);
         let far = Vec2::splat(slides + LENGTHENED * LENGTHEN + head_length(shown).x);
         let (min, max) = (from.min(from + along * base) - far, from.max(from + along * base) + far);
@@ -295,10 +285,9 @@ pub fn place_labels(arrows: &[Arrow], height: f32, width: impl Fn(&str) -> f32, 
             .chain(beside(length * 0.65));
         let reach = Area::around(arrow.to, 2.0 * (size + 3.0 * height) + 1.3 * length);
         let near: Vec<Area> = fixed.iter().copied().filter(|other| other.gap(&reach) < 0.0).collect();
-        let area = places
-            .map(|middle| Area::around(middle, size))
-            .find(|area| area.min.cmpge(window.min).all() && area.max().cmple(window.max()).all() && area.covers_none(&near));
-        if let Some(area) = area {
+        let inside = |area: &Area| area.min.cmpge(window.min).all() && area.max().cmple(window.max()).all();
+        let mut areas = places.map(|middle| Area::around(middle, size));
+        if let Some(area) = areas.find(|area| inside(area) && area.covers_none(&near)) {
             fixed.push(area);
             labels.push(Label { arrow: index, area });
         }

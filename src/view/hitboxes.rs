@@ -1,8 +1,6 @@
-//! The view for authors and developers (F3): the boxes that collide, the zones, the contacts, the path of the last tick, and
-//! figures.
+//! The view for authors and developers (F3): the boxes that collide, the zones, the contacts, the path of the last tick, and figures.
 
-use super::camera::Viewport;
-use super::theme;
+use super::{camera::Viewport, theme};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
@@ -26,22 +24,14 @@ pub fn draw(game: &Game, figures: &str, view: &Viewport, canvas: &Canvas) {
     let (level, world) = (game.level(), game.world());
     let outline = |bounds: &Aabb, colour: Colour| {
         if bounds.touches(&view.visible(), 0.0) {
-            let area = view.rect(bounds);
-            canvas.rectangle_edge(area, 1.0, colour);
+            canvas.rectangle_edge(view.rect(bounds), 1.0, colour);
         }
     };
-    for surface in world.surfaces() {
-        outline(&surface.bounds, SURFACE);
-    }
-    for objective in &level.objectives {
-        outline(&objective.bounds, theme::player_objective());
-    }
-    for bounds in &level.obstacles {
-        outline(bounds, theme::bad());
-    }
-    for zone in level.streams.iter().map(|s| &s.zone).chain(level.fluids.iter().map(|f| &f.zone)) {
-        outline(zone, ZONE);
-    }
+    let surfaces = world.surfaces().iter().map(|surface| (surface.bounds, SURFACE));
+    let goals = level.objectives.iter().map(|objective| (objective.bounds, theme::player_objective()));
+    let hazards = level.obstacles.iter().map(|bounds| (*bounds, theme::bad()));
+    let zones = level.streams.iter().map(|s| s.zone).chain(level.fluids.iter().map(|f| f.zone)).map(|zone| (zone, ZONE));
+    surfaces.chain(goals).chain(hazards).chain(zones).for_each(|(bounds, colour)| outline(&bounds, colour));
     // The part of the ship that a death box kills.
     let centre = world.body(SHIP).position;
     canvas.convex_edge(&ship_body(game.ship().angle).map(|corner| view.point(centre + corner)), 2.0, theme::bad());
@@ -49,9 +39,7 @@ pub fn draw(game: &Game, figures: &str, view: &Viewport, canvas: &Canvas) {
         let id = BodyId(i as u32);
         outline(&body.bounds(), BODY);
         let corners: Vec<Vec2> = world.path(id).map(|point| view.point(point)).collect();
-        for leg in corners.windows(2) {
-            canvas.line(leg[0], leg[1], 2.0, BODY);
-        }
+        corners.windows(2).for_each(|leg| canvas.line(leg[0], leg[1], 2.0, BODY));
         draw_contacts(game, id, view, canvas);
     }
     draw_figures(game, figures, canvas);

@@ -1,6 +1,4 @@
-//! Lanes: curves above one axis to the right, each lane with its own numbers upwards.
-//!
-//! Charts on paper, each on a sheet of SVG.
+//! Lanes: curves above one axis to the right, each lane with its own numbers upwards. Charts on paper, each on a sheet of SVG.
 
 use super::{theme, widgets};
 use crate::draw::chart::{Sheet, WORDS, dashed, marker, stroke};
@@ -15,7 +13,6 @@ const NAMED: usize = 8;
 const LEFT: f32 = 88.0;
 const TOP: f32 = 40.0;
 const BOTTOM: f32 = 60.0;
-/// Width of the legend.
 const LEGEND: f32 = 340.0;
 /// Between two lanes: the values to the right above, the name of the lane below.
 const BETWEEN: f32 = 60.0;
@@ -58,8 +55,7 @@ impl LaneAxes<'_> {
 /// A sheet of lanes with its legend on a panel.
 pub fn draw(canvas: &Canvas, panel: Area, sheet: &Sheet) {
     widgets::panel(canvas, panel);
-    let across: Vec<(f64, String)> =
-        sheet.across.named(NAMED).into_iter().map(|(value, name)| (sheet.across.part(value), name)).collect();
+    let across: Vec<_> = sheet.across.named(NAMED).into_iter().map(|(value, name)| (sheet.across.part(value), name)).collect();
     let width = panel.size.x - LEFT - LEGEND - LEFT / 2.0;
     let room = Area::new(panel.min.x + LEFT, panel.min.y + TOP, width, panel.size.y - TOP - BOTTOM);
     let pitch = (room.size.y + BETWEEN) / sheet.strips.len().max(1) as f32;

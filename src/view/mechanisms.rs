@@ -2,10 +2,8 @@
 //! doors are barred; belts run with chevrons; one-way blocks have one thick side; fragile blocks are cracked.
 
 use super::art::{self, Tile};
-use super::camera::Viewport;
 use super::particles::{Particle, ParticleLook, Particles};
-use super::terrain::material_edge;
-use super::theme;
+use super::{camera::Viewport, terrain::material_edge, theme};
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour};
 use crate::game::{Game, Outcome};
@@ -148,14 +146,11 @@ fn draw_pod(area: Area, canvas: &Canvas, time: f64) {
     canvas.rounded_edge(area, round, 2.5, theme::accent());
     let (middle, size) = (area.centre(), area.size.x.min(area.size.y) * 0.24);
     canvas.disc(middle + Vec2::new(0.0, size * 0.35), size * 0.8, theme::accent());
-    canvas.convex(
-        &[middle + Vec2::new(0.0, -size * 1.3), middle + Vec2::new(size * 0.72, 0.0), middle + Vec2::new(-size * 0.72, 0.0)],
-        theme::accent(),
-    );
+    let drop = [(0.0, -1.3), (0.72, 0.0), (-0.72, 0.0)].map(|(x, y)| middle + size * Vec2::new(x, y));
+    canvas.convex(&drop, theme::accent());
 }
 
-/// The solids that are no rock. `alpha` is the frame's place between the last tick but one and the last. With the `answer` (0 … 1) of a
-/// solved level doors open and belts run.
+/// The solids that are no rock. `alpha` is the frame's place in the last tick. With a solved level's `answer` (0 … 1) doors open and belts run.
 pub fn draw(game: &Game, alpha: f64, (view, canvas): (&Viewport, &Canvas), (time, answer): (f64, f32)) {
     let level = game.level();
     for mover in &level.movers {
@@ -191,7 +186,6 @@ pub fn draw(game: &Game, alpha: f64, (view, canvas): (&Viewport, &Canvas), (time
     }
 }
 
-/// The track of a mover: dashed, with a tick at each stop.
 fn draw_track(mover: &Mover, view: &Viewport, canvas: &Canvas) {
     let colour = WORKS_EDGE.faded(0.55);
     let closes = (mover.manner.route == Route::Round).then(|| mover.stops[0]);
@@ -251,12 +245,10 @@ fn draw_door(door: &Solid, open: f32, view: &Viewport, canvas: &Canvas) {
     canvas.rectangle(area, WORKS);
     let bars = (long / 14.0).floor().max(1.0);
     for bar in 0..bars as usize {
-        let at = piece(long / bars * (bar as f32 + 0.3), long / bars * 0.4);
-        canvas.rectangle(at, Colour::hex(0x22334A));
+        canvas.rectangle(piece(long / bars * (bar as f32 + 0.3), long / bars * 0.4), Colour::hex(0x22334A));
     }
     canvas.rectangle_edge(area, 2.0, edge_of(door.material));
-    let seam = piece(long * 0.5 - 1.5, 3.0);
-    canvas.rectangle(seam, theme::ground());
+    canvas.rectangle(piece(long * 0.5 - 1.5, 3.0), theme::ground());
 }
 
 /// The cap stands out above the plate until it is pressed.
@@ -336,8 +328,7 @@ fn draw_chevrons(bounds: &Aabb, (y, drift, side): (f64, f64, f64), (view, canvas
     if !strip.touches(&visible, 0.0) {
         return;
     }
-    let band = view.rect(&strip);
-    canvas.rectangle(band, Colour::hex(0x10151E));
+    canvas.rectangle(view.rect(&strip), Colour::hex(0x10151E));
     let mut x = bounds.min.x + drift;
     while x < bounds.max.x {
         let tip = DVec2::new(x + side * CHEVRON * 0.3, y);

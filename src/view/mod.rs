@@ -1,5 +1,4 @@
-//! Drawing only: reads the game and changes nothing in it. The screens decide, in [`crate::screens`]. A [`crate::draw::Canvas`]
-//! records the shapes.
+//! Drawing only: reads the game and changes nothing in it. The screens decide, in [`crate::screens`]. A [`crate::draw::Canvas`] records the shapes.
 
 pub mod art;
 pub mod boxes;
@@ -17,7 +16,6 @@ pub mod labels;
 pub mod lanes;
 pub mod mechanisms;
 pub mod particles;
-pub mod pictures;
 pub mod scale;
 pub mod sky;
 pub mod terrain;
@@ -28,4 +26,4 @@ pub mod widgets;
 pub mod world;
 pub mod zones;
 
-pub use game_view::{GameView, GhostShip, Overlays};
+pub use game_view::{GameView, GhostShip, Overlays, painting};

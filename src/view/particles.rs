@@ -1,7 +1,5 @@
 //! Particles: a pool of short-lived dots and streaks, for show: their random numbers are their own and nothing reads them back.
-//!
-//! Barriers of exhaust, dust and sparks: the solid surfaces near the view, sorted into columns so that a particle looks at few of
-//! them.
+//! Barriers of exhaust, dust and sparks: the solid surfaces near the view, sorted into columns so that a particle looks at few of them.
 
 use super::art::{self, Tile};
 use super::camera::Viewport;
@@ -28,23 +26,19 @@ pub enum ParticleLook {
     Plume,
     /// A puff that spreads and settles.
     Dust,
-    /// A spark that shrinks.
     Spark,
     /// A stroke along its path.
     Streak,
-    /// A small arrow along its path.
     Arrow,
 }
 
+/// In SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Particle {
-    /// m.
     pub position: DVec2,
-    /// m/s.
     pub velocity: DVec2,
-    /// Age at its death, s.
     pub age: f32,
-    /// Age at its death, s.
+    /// Age at its death.
     pub life: f32,
     pub look: ParticleLook,
     /// The plume has its own colours.
@@ -73,40 +67,26 @@ impl Particle {
         }
     }
 
-    /// Whether solids stop it; wind blows through them.
-    fn stops(&self) -> bool {
-        self.look != ParticleLook::Streak
-    }
-
-    /// Moves it in a straight line to a point, or to the first solid before that, along which it goes on.
+    /// Moves it in a straight line to a point, or to the first solid before that, along which it goes on; wind blows through solids.
     fn go(&mut self, to: DVec2, barriers: &Barriers) {
-        let Some(stop) = barriers.stop(self.position, to).filter(|_| self.stops()) else {
+        let Some((at, axis)) = barriers.stop(self.position, to).filter(|_| self.look != ParticleLook::Streak) else {
             self.position = to;
             return;
         };
-        let (axis, along) = (stop.axis, 1 - stop.axis);
-        self.position = stop.at;
+        let along = 1 - axis;
+        self.position = at;
         self.velocity[along] += SPLAY * self.velocity[axis].abs() * self.velocity[along].signum();
         self.velocity[axis] = 0.0;
     }
 
-    /// Rate of slowing, 1/s.
-    const fn drag(&self) -> f64 {
+    /// Rate of slowing, 1/s, and acceleration downwards, m/s²: smoke rises by its warmth, and a streak follows the stream.
+    const fn drag_and_weight(&self) -> (f64, f64) {
         match self.look {
-            ParticleLook::Plume => 1.6,
-            ParticleLook::Dust => 2.5,
-            ParticleLook::Spark => 0.5,
-            ParticleLook::Arrow => 2.0,
-            ParticleLook::Streak => 0.0,
-        }
-    }
-
-    /// Acceleration downwards, m/s²: smoke rises by its warmth, and a streak follows the stream.
-    const fn weight(&self) -> f64 {
-        match self.look {
-            ParticleLook::Spark => SPARK_WEIGHT,
-            ParticleLook::Dust => DUST_WEIGHT,
-            ParticleLook::Plume | ParticleLook::Streak | ParticleLook::Arrow => 0.0,
+            ParticleLook::Plume => (1.6, 0.0),
+            ParticleLook::Dust => (2.5, DUST_WEIGHT),
+            ParticleLook::Spark => (0.5, SPARK_WEIGHT),
+            ParticleLook::Arrow => (2.0, 0.0),
+            ParticleLook::Streak => (0.0, 0.0),
         }
     }
 }
@@ -120,10 +100,6 @@ pub struct Particles {
 }
 
 impl Particles {
-    pub fn new() -> Self {
-        Self { all: Vec::with_capacity(MOST), most: MOST, barriers: Barriers::default(), random: Pcg32::seed_from_u64(0x5245_5355) }
-    }
-
     /// A full pool drops the particle.
     pub fn add(&mut self, particle: Particle) {
         if self.all.len() < self.most {
@@ -148,7 +124,8 @@ impl Particles {
     pub fn advance(&mut self, frame_time: f64) {
         for particle in &mut self.all {
             particle.age += frame_time as f32;
-            let (drag, weight) = (particle.drag(), DVec2::new(0.0, particle.weight()));
+            let (drag, weight) = particle.drag_and_weight();
+            let weight = DVec2::new(0.0, weight);
             particle.go(particle.position + (particle.velocity + 0.5 * frame_time * weight) * frame_time, &self.barriers);
             particle.velocity = (particle.velocity + frame_time * weight) * (-drag * frame_time).exp();
         }
@@ -165,16 +142,13 @@ impl Particles {
         let visible = view.visible();
         for particle in &self.all {
             if particle.position.cmpge(visible.min - 1.0).all() && particle.position.cmple(visible.max + 1.0).all() {
-                let (radius, colour) = particle.appearance();
+                let ((radius, colour), DVec2 { x, y }) = (particle.appearance(), particle.velocity);
                 let (length, rotation) = match particle.look {
                     ParticleLook::Arrow => {
                         draw_arrow(particle, colour, view, canvas);
                         continue;
                     }
-                    ParticleLook::Streak => (
-                        view.length(particle.velocity.length() * 0.1),
-                        (particle.velocity.x as f32).atan2(-particle.velocity.y as f32),
-                    ),
+                    ParticleLook::Streak => (view.length(particle.velocity.length() * 0.1), (x as f32).atan2(-y as f32)),
                     ParticleLook::Plume | ParticleLook::Dust | ParticleLook::Spark => (2.0 * radius, FRAC_PI_2),
                 };
                 let area = Area::around(view.point(particle.position), Vec2::new(2.0 * radius, length));
@@ -200,7 +174,7 @@ fn draw_arrow(particle: &Particle, colour: Colour, view: &Viewport, canvas: &Can
 
 impl Default for Particles {
     fn default() -> Self {
-        Self::new()
+        Self { all: Vec::with_capacity(MOST), most: MOST, barriers: Barriers::default(), random: Pcg32::seed_from_u64(0x5245_5355) }
     }
 }
 
@@ -208,15 +182,6 @@ impl Default for Particles {
 const COLUMNS: usize = 64;
 /// Gap that a stopped particle keeps to its surface, m.
 const CLEAR: f64 = 1e-3;
-
-/// The end of a path at a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BarrierStop {
-    /// A little before the surface, m.
-    pub at: DVec2,
-    /// The axis (0: x, 1: y) along which the path meets it.
-    pub axis: usize,
-}
 
 /// The surfaces of one moment.
 #[derive(Clone, Debug, Default)]
@@ -240,8 +205,8 @@ impl Barriers {
         barriers
     }
 
-    /// The first stop on the straight path between two points, m. A path that begins inside a surface leads out of it.
-    pub fn stop(&self, from: DVec2, to: DVec2) -> Option<BarrierStop> {
+    /// The first stop on the straight path between two points, a little before a surface, m, and the axis (0: x, 1: y) along which it meets that. A path that begins inside a surface leads out of it.
+    pub fn stop(&self, from: DVec2, to: DVec2) -> Option<(DVec2, usize)> {
         if self.columns.is_empty() {
             return None;
         }
@@ -252,12 +217,12 @@ impl Barriers {
         let way = to - from;
         let mut at = from + way * part;
         at[axis] -= CLEAR * way[axis].signum();
-        Some(BarrierStop { at, axis })
+        Some((at, axis))
     }
 
     /// The distance from a point to the first stop along a unit vector, at most `reach`, m.
     pub fn room(&self, from: DVec2, along: DVec2, reach: f64) -> f64 {
-        self.stop(from, from + along * reach).map_or(reach, |stop| stop.at.distance(from))
+        self.stop(from, from + along * reach).map_or(reach, |(at, _)| at.distance(from))
     }
 
     fn column(&self, x: f64) -> usize {
@@ -268,8 +233,13 @@ impl Barriers {
 
 /// The free part (0 … 1) of a path before it enters a box through a solid face, and the axis of that face.
 fn meets(bounds: &Aabb, sides: Sides, from: DVec2, to: DVec2) -> Option<(f64, usize)> {
-    let way = to - from;
-    let (mut enters, mut leaves, mut axis) = (f64::NEG_INFINITY, 1.0_f64, 0);
+    let (enters, leaves, axis) = stretch(bounds, from, to - from)?;
+    (enters >= 0.0 && enters < leaves.min(1.0) && sides.face(axis, to[axis] - from[axis] < 0.0)).then_some((enters, axis))
+}
+
+/// The parts of a way at which a line enters and leaves a box, and the axis along which it enters; `None` where it passes by.
+pub fn stretch(bounds: &Aabb, from: DVec2, way: DVec2) -> Option<(f64, f64, usize)> {
+    let (mut enters, mut leaves, mut axis) = (f64::NEG_INFINITY, f64::INFINITY, 0);
     for i in 0..2 {
         if way[i] == 0.0 {
             if from[i] <= bounds.min[i] || from[i] >= bounds.max[i] {
@@ -283,7 +253,7 @@ fn meets(bounds: &Aabb, sides: Sides, from: DVec2, to: DVec2) -> Option<(f64, us
         }
         leaves = leaves.min(a.max(b));
     }
-    (enters >= 0.0 && enters < leaves && sides.face(axis, way[axis] < 0.0)).then_some((enters, axis))
+    Some((enters, leaves, axis))
 }
 
 #[cfg(test)]
@@ -308,8 +278,8 @@ mod tests {
         let bounds = Aabb::new(DVec2::new(-5.0, 2.0), DVec2::new(5.0, 2.2));
         let surfaces = vec![SurfaceDef::fixed(bounds, Material::STEEL)];
         let world = World::new(WorldDef { surfaces, ..WorldDef::default() }).expect("a valid world");
-        let mut pool = Particles::new();
-        pool.barriers = Barriers::new(&world, &Aabb::around(DVec2::ZERO, DVec2::splat(8.0)));
+        let barriers = Barriers::new(&world, &Aabb::around(DVec2::ZERO, DVec2::splat(8.0)));
+        let mut pool = Particles { barriers, ..Particles::default() };
         let velocity = DVec2::new(0.5, 7.0);
         for look in [ParticleLook::Plume, ParticleLook::Dust, ParticleLook::Spark, ParticleLook::Streak] {
             pool.launch(DVec2::ZERO, Particle { velocity, position: DVec2::new(0.0, 3.0), ..particle(look, 2.0) });
@@ -320,8 +290,8 @@ mod tests {
         }
         assert_eq!(pool.all.len(), 8);
         for particle in pool.all {
-            assert_eq!(particle.position.y < 2.0, particle.stops(), "{particle:?}");
-            assert!(!particle.stops() || particle.position.x > 0.5, "it goes on along the deck: {particle:?}");
+            assert_eq!(particle.position.y < 2.0, particle.look != ParticleLook::Streak, "{particle:?}");
+            assert!(particle.look == ParticleLook::Streak || particle.position.x > 0.5, "it goes on along the deck: {particle:?}");
         }
     }
 
@@ -334,7 +304,7 @@ mod tests {
             (ParticleLook::Streak, 0.0, 0.0),
         ] {
             for frames in [15, 60, 240] {
-                let mut pool = Particles::new();
+                let mut pool = Particles::default();
                 pool.add(particle(look, 2.0));
                 (0..frames).for_each(|_| pool.advance(1.0 / f64::from(frames)));
                 let fallen = pool.all[0].position.y;
@@ -345,7 +315,7 @@ mod tests {
 
     #[test]
     fn the_pool_never_exceeds_its_cap_and_empties_with_age() {
-        let mut pool = Particles::new();
+        let mut pool = Particles::default();
         for _ in 0..2 * MOST {
             pool.add(particle(ParticleLook::Dust, 0.5));
         }
@@ -369,7 +339,7 @@ mod tests {
         let deck = deck(Sides::ALL);
         for (from, to) in [((5.0, 1.0), (5.0, 3.0)), ((5.0, 1.0), (5.0, 1e6)), ((1.0, 0.5), (6.0, 4.0)), ((5.0, 2.0), (5.5, 2.1))] {
             let stop = deck.stop(DVec2::from(from), DVec2::from(to)).expect("it meets the deck");
-            assert!(stop.axis == 1 && (stop.at.y - 2.0).abs() < 2.0 * CLEAR && stop.at.y < 2.0, "{stop:?}");
+            assert!(stop.1 == 1 && (stop.0.y - 2.0).abs() < 2.0 * CLEAR && stop.0.y < 2.0, "{stop:?}");
         }
         for (from, to) in
             [((5.0, 1.0), (5.0, 1.9)), ((1.0, 1.0), (1.0, 9.0)), ((5.0, 2.1), (5.0, 9.0)), ((5.0, 1.999), (9.0, 1.999))]

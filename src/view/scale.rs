@@ -1,13 +1,9 @@
 //! Free-body arrows: colour, dash and head of each kind of force, and the drawing of arrows and labels.
-//!
-//! The length of arrows: a round number of newtons a square, for which the longest arrow of the shown bodies fits. It shrinks at
-//! once when an arrow would no longer fit or the view is zoomed, and grows back after a delay: arrows with an unsteady scale could
-//! not be compared.
+//! The length of arrows: a round number of newtons a square, for which the longest arrow of the shown bodies fits. It shrinks at once when an arrow
+//! would no longer fit or the view is zoomed, and grows back after a delay: arrows with an unsteady scale could not be compared.
 
 pub use super::facts::ArrowKind;
-use super::facts::round_up;
-use super::focus::Focus;
-use super::theme;
+use super::{facts::round_up, focus::Focus, theme};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{DAMAGING_SPEED, Game, SHIP};
@@ -30,7 +26,6 @@ const BREAK_GAP: f32 = 3.5;
 /// Opacity of an arrow while others are lit.
 const DIMMED: f32 = 0.35;
 
-/// The head at an arrow's tip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Head {
     Filled,
@@ -40,11 +35,9 @@ enum Head {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arrow {
-    /// The body that the force acts on.
     pub body: BodyId,
     /// The line of the body's box that states it.
     pub row: usize,
-    /// The force or impact.
     pub shown: ArrowKind,
     /// The body's centre, if there is room.
     pub from: Vec2,
@@ -207,8 +200,7 @@ pub fn draw_labels(arrows: &[Arrow], labels: &[Label], lit: impl Fn(&Arrow) -> b
     }
 }
 
-/// The length of a body's usual force, canvas units: its weight, half of the ship's thrust, or the force that stops a damaging
-/// speed.
+/// The length of a body's usual force, canvas units: its weight, half of the ship's thrust, or the force that stops a damaging speed.
 const USUAL: f64 = 225.0;
 /// The least of that length where other bodies feel far more than the ship, canvas units: their arrows are cut then.
 const USUAL_LEAST: f64 = 60.0;

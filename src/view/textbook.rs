@@ -11,8 +11,7 @@ use crate::game::{Controls, Game};
 use crate::number::scalar;
 use crate::physics::{BodyId, DVec2};
 use crate::words::tr;
-use std::borrow::Cow;
-use std::f64::consts::TAU;
+use std::{borrow::Cow, f64::consts::TAU};
 
 /// Side of a square of the paper, and the longer half of the body, canvas units.
 const SQUARE: f32 = 32.0;
@@ -45,9 +44,8 @@ pub struct NamedArrow {
 impl NamedArrow {
     /// Those of a body that count, and its resultant; none where that is zero.
     pub fn of(facts: &BodyFacts) -> (Vec<Self>, Option<Self>) {
-        let rows = || facts.rows.iter().filter_map(|row| Some((row, row.shown?, row.value)));
-        let vectors = rows().filter_map(|(row, shown, value)| match value {
-            Value::Vector(vector) => Some((row, shown, vector)),
+        let vectors = facts.rows.iter().filter_map(|row| match row.value {
+            Value::Vector(vector) => Some((row, row.shown?, vector)),
             Value::Scalar(_) => None,
         });
         let all: Vec<_> = vectors.collect();
@@ -59,13 +57,13 @@ impl NamedArrow {
             let size = vector.length();
             size > 0.0 && size >= NO_PART * largest(shown.is_impact())
         };
-        let mut named = all.iter().filter(counts).map(|(row, shown, vector)| Self {
+        let named = all.iter().filter(counts).map(|(row, shown, vector)| Self {
             shown: *shown,
             vector: *vector,
             name: row.label(),
             value: scalar(vector.length(), row.unit),
         });
-        let (resultant, forces): (Vec<Self>, Vec<Self>) = named.by_ref().partition(|named| named.shown == ArrowKind::Resultant);
+        let (resultant, forces): (Vec<Self>, Vec<Self>) = named.partition(|named| named.shown == ArrowKind::Resultant);
         (forces, resultant.into_iter().next())
     }
 }
@@ -127,8 +125,7 @@ fn corners(order: &[&NamedArrow]) -> Vec<DVec2> {
     [DVec2::ZERO].into_iter().chain(tips).collect()
 }
 
-/// Places all in these parts; `worth` is what a canvas unit is worth, N and N·s; `line` is the height of a line of words, and `width` says
-/// how wide words are.
+/// Places all in these parts; `worth` is that of a canvas unit, N and N·s; `line` the height of a line of words, and `width` how wide words are.
 pub fn lay_out(
     (forces, resultant): (&[NamedArrow], Option<&NamedArrow>),
     parts: &[Area; 2],
@@ -136,14 +133,7 @@ pub fn lay_out(
     (line, width): (f32, &dyn Fn(&str) -> f32),
 ) -> PictureLayout {
     let mut laid = PictureLayout::default();
-    let arrow = |row: usize, shown: ArrowKind, from: Vec2, to: Vec2, to_scale: bool| Arrow {
-        body: BodyId(0),
-        row,
-        shown,
-        from,
-        to,
-        to_scale,
-    };
+    let arrow = |row, shown, from, to, to_scale| Arrow { body: BodyId(0), row, shown, from, to, to_scale };
     let along = |force: &NamedArrow| force.vector.normalize_or_zero().as_vec2();
     for (row, force) in forces.iter().enumerate() {
         let way = along(force);
@@ -205,8 +195,7 @@ fn aside(arrows: &[Arrow], from: Vec2, to: Vec2) -> Vec2 {
     way.perp() * shifts.iter().find(free).copied().unwrap_or_default()
 }
 
-/// A place for words of that size beyond a point, beside it, or as near to it as there is one: on no other words, and if that can be on no
-/// arrow.
+/// A place for words of that size beyond a point, beside it, or as near to it as there is one: on no other words, and if that can be on no arrow.
 fn free_place(at: Vec2, way: Vec2, size: Vec2, (room, taken, arrows): (&Area, &[Area], &[Arrow])) -> Option<Area> {
     let beyond = |way: Vec2| Area::around(at + way * ((size * 0.5 * way.abs()).element_sum() + BESIDE), size);
     let near = [way, way.perp(), -way.perp(), (way + way.perp()).normalize_or_zero(), (way - way.perp()).normalize_or_zero()];
@@ -341,7 +330,6 @@ impl BodyPicture {
     }
 }
 
-/// Squares from the middle, where the body is.
 fn draw_paper(canvas: &Canvas, part: &Area) {
     let (low, high, middle) = (part.min, part.max(), part.centre());
     for axis in [Vec2::X, Vec2::Y] {

@@ -6,23 +6,49 @@ use crate::physics::ForceKind;
 use crate::settings::Palette;
 use std::sync::atomic::{AtomicU8, Ordering};
 
-struct Colours {
-    ground: Colour,
-    panel: Colour,
-    button: Colour,
-    panel_hover: Colour,
-    panel_edge: Colour,
-    grid_fine: Colour,
-    grid_heavy: Colour,
-    solid: Colour,
-    solid_top: Colour,
-    text: Colour,
-    quiet: Colour,
-    accent: Colour,
-    good: Colour,
-    bad: Colour,
-    player_objective: Colour,
-    physics_objective: Colour,
+macro_rules! colours {
+    ($($(#[$doc:meta])* $name:ident,)*) => {
+        struct Colours {
+            $($name: Colour,)*
+        }
+
+        $($(#[$doc])*
+        pub fn $name() -> Colour {
+            colours().$name
+        })*
+    };
+}
+
+colours! {
+    /// The background.
+    ground,
+    panel,
+    /// Buttons: they stand out from the ground and from panels.
+    button,
+    /// A button under the pointer, and a selected row.
+    panel_hover,
+    panel_edge,
+    /// Line of the graph paper every metre.
+    grid_fine,
+    /// Line of the graph paper every ten metres.
+    grid_heavy,
+    /// Solids that never move.
+    solid,
+    /// The top edge of solids.
+    solid_top,
+    text,
+    /// Words of less weight.
+    quiet,
+    /// The title, the ship's trim, keyboard focus, fuel.
+    accent,
+    /// Success.
+    good,
+    /// Damage and death.
+    bad,
+    /// An objective for the ship; the best score.
+    player_objective,
+    /// An objective for a key object.
+    physics_objective,
 }
 
 /// The art direction's palette.
@@ -102,86 +128,9 @@ pub fn is_light() -> bool {
     WORN.load(Ordering::Relaxed) == Palette::Projector as u8
 }
 
-/// The background.
-pub fn ground() -> Colour {
-    colours().ground
-}
-
 /// The plate of a goal.
 pub fn plate() -> Colour {
     if is_plain() { colours().ground } else { PLATE }
-}
-
-pub fn panel() -> Colour {
-    colours().panel
-}
-
-/// Buttons: they stand out from the ground and from panels.
-pub fn button() -> Colour {
-    colours().button
-}
-
-/// A button under the pointer, and a selected row.
-pub fn panel_hover() -> Colour {
-    colours().panel_hover
-}
-
-pub fn panel_edge() -> Colour {
-    colours().panel_edge
-}
-
-/// Line of the graph paper every metre.
-pub fn grid_fine() -> Colour {
-    colours().grid_fine
-}
-
-/// Line of the graph paper every ten metres.
-pub fn grid_heavy() -> Colour {
-    colours().grid_heavy
-}
-
-/// Solids that never move.
-pub fn solid() -> Colour {
-    colours().solid
-}
-
-/// The top edge of solids.
-pub fn solid_top() -> Colour {
-    colours().solid_top
-}
-
-pub fn text() -> Colour {
-    colours().text
-}
-
-/// Words of less weight.
-pub fn quiet() -> Colour {
-    colours().quiet
-}
-
-/// The title, the ship's trim, keyboard focus, fuel.
-pub fn accent() -> Colour {
-    colours().accent
-}
-
-/// Success.
-pub fn good() -> Colour {
-    colours().good
-}
-
-/// Damage and death.
-pub fn bad() -> Colour {
-    colours().bad
-}
-
-/// An objective for the ship; the best score.
-pub fn player_objective() -> Colour {
-    colours().player_objective
-}
-
-/// An objective for a key object.
-pub fn physics_objective() -> Colour {
-    colours().physics_objective
 }
 
 pub const RESULTANT: Colour = Colour::hex(chart::RESULTANT);
@@ -205,8 +154,8 @@ mod tests {
     use crate::draw::{Canvas, Painting, raster};
     use crate::level::{self, Landscape, Level};
     use crate::physics::Aabb;
+    use crate::view::art::Pictures;
     use crate::view::camera::{CanvasWindow, Viewport};
-    use crate::view::pictures::Pictures;
     use crate::view::sky::WorldPalette;
     use crate::view::terrain::{Terrain, kind};
     use crate::view::{art, world};
@@ -343,7 +292,7 @@ mod tests {
         world::draw_ground(&level, &terrain, &pictures, (&view, &canvas), 3.0);
         terrain.draw_shade(&view, &canvas);
         terrain.draw(&view, &canvas, &[]);
-        let sheet = Painting { width: art::SHEET, bytes: art::sheet() };
+        let sheet = art::sheet();
         let Painting { bytes, .. } = raster::paint(&canvas, WIDTH, Colour::hex(0), &sheet);
         let air = terrain.air(&view);
         let materials: Vec<Area> =

@@ -1,15 +1,9 @@
 //! Objects and the ship with its flame: nothing that moves looks like the static world.
-//!
 //! Landings: the ship's legs give way under it, and a gentle one is praised.
-//!
-//! The wreck of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own: the game does not
-//! change.
+//! The wreck of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own: the game does not change.
 
-use super::art::{self, Tile};
-use super::camera::Viewport;
-use super::pictures::Pictures;
-use super::theme;
-use super::zones::diamond;
+use super::art::{self, Pictures, Tile};
+use super::{camera::Viewport, theme, zones::diamond};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, GhostPose, SHIP};
@@ -34,8 +28,7 @@ pub struct Brushes<'a> {
     pub canvas: &'a Canvas,
 }
 
-/// An object around `centre` (m): its picture, or a plain box or ball; key objects in their colour, with a glow and their sign.
-/// `light` multiplies the colours of all others.
+/// An object around `centre` (m): its picture, or a box or ball; keys in their colour, with glow and sign; `light` multiplies other colours.
 pub fn draw_object(object: &Object, centre: DVec2, light: Colour, brushes: Brushes<'_>) {
     let Brushes { pictures, view, canvas } = brushes;
     let bounds = Aabb::around(centre, object.size * 0.5);
@@ -67,7 +60,6 @@ pub fn draw_object(object: &Object, centre: DVec2, light: Colour, brushes: Brush
     }
 }
 
-/// A box with a frame and a brace.
 fn crate_box(canvas: &Canvas, area: Area, colour: Colour) {
     let dark = shaded(colour, 0.45);
     let frame = (area.size.x.min(area.size.y) * 0.14).clamp(1.5, 6.0);
@@ -79,7 +71,6 @@ fn crate_box(canvas: &Canvas, area: Area, colour: Colour) {
     canvas.rectangle_edge(area, 1.0, dark);
 }
 
-/// A ball with a rim, a band and a light on it.
 fn ball(canvas: &Canvas, area: Area, colour: Colour) {
     let half = area.size / 2.0;
     let outline = |scale: f32, offset: Vec2| ellipse(Area::around(area.centre() + offset, area.size * scale));
@@ -89,7 +80,6 @@ fn ball(canvas: &Canvas, area: Area, colour: Colour) {
     canvas.convex(&outline(0.18, half * Vec2::new(-0.34, -0.40)), Colour::WHITE.faded(0.85));
 }
 
-/// `light` scales the colour.
 fn shaded(colour: Colour, light: f32) -> Colour {
     Colour::new(colour.r * light, colour.g * light, colour.b * light, colour.a)
 }
@@ -116,8 +106,7 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, vie
     let (centre, rotation) = (ship.centre, ship.angle.to_radians());
     let (sin, cos) = rotation.sin_cos();
     let (nose, right) = (DVec2::new(sin, -cos), DVec2::new(cos, sin));
-    let flames: &[(f64, f64, f64)] =
-        if way > 0.0 { &[(0.0, 0.80, 1.0)] } else { &[(-RETRO.0, RETRO.1, 0.55), (RETRO.0, RETRO.1, 0.55)] };
+    let flames: &[_] = if way > 0.0 { &[(0.0, 0.80, 1.0)] } else { &[(-RETRO.0, RETRO.1, 0.55), (RETRO.0, RETRO.1, 0.55)] };
     if strength > 0.0 {
         for &(side, out, size) in flames {
             let whole = FLAME * size * strength * (0.85 + 0.15 * flicker);
@@ -126,14 +115,9 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, vie
             let spread = (whole / length).sqrt().min(FLAME_SPREAD);
             let root = centre + right * side - nose * (out * way);
             let middle = root - nose * (way * length * 0.5);
-            art::draw(
-                canvas,
-                Tile::Glow,
-                Area::around(view.point(middle), Vec2::splat(view.length(2.2 * length))),
-                0.0,
-                Colour::hex(0xFF9F1C).faded(0.35),
-            );
-            let turn = if way > 0.0 { rotation } else { rotation + std::f64::consts::PI };
+            let glow = Area::around(view.point(middle), Vec2::splat(view.length(2.2 * length)));
+            art::draw(canvas, Tile::Glow, glow, 0.0, Colour::hex(0xFF9F1C).faded(0.35));
+            let turn = if way > 0.0 { rotation } else { rotation + PI };
             let size = Vec2::new(view.length(0.75 * size * spread), view.length(length));
             art::draw(canvas, Tile::Flame, Area::around(view.point(middle), size), turn as f32, Colour::WHITE);
         }
@@ -193,14 +177,6 @@ const SPRING: f64 = 0.22;
 const FULL: f64 = 8.0;
 const DEPTH: f64 = 0.14;
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Landing {
-    /// m.
-    pub point: DVec2,
-    /// m/s.
-    pub speed: f64,
-}
-
 /// Whether the ship flies, and the compression of its legs.
 #[derive(Clone, Debug, Default)]
 pub struct Touchdown {
@@ -211,14 +187,14 @@ pub struct Touchdown {
 }
 
 impl Touchdown {
-    /// Takes up a tick; returns its landing.
-    pub fn after_tick(&mut self, game: &Game) -> Option<Landing> {
+    /// Takes up a tick; returns the place (m) and the speed (m/s) of its landing.
+    pub fn after_tick(&mut self, game: &Game) -> Option<(DVec2, f64)> {
         let flown = self.flown as f64 / game.tick_rate();
         let landing = landing(game.world().events()).filter(|_| flown >= FLOWN);
         let touches = landing.is_some() || touches(game);
         self.flown = if touches { 0 } else { self.flown + 1 };
-        if let Some(landing) = landing {
-            self.last = Some((landing.speed, 0.0));
+        if let Some((_, speed)) = landing {
+            self.last = Some((speed, 0.0));
         }
         landing
     }
@@ -236,29 +212,26 @@ impl Touchdown {
     }
 }
 
-/// Whether a body or surface touches the ship.
 fn touches(game: &Game) -> bool {
     let forces = game.world().forces(SHIP);
     forces.forces().iter().any(|force| matches!(force.kind, ForceKind::Reaction | ForceKind::Push))
 }
 
 /// The hardest hit of the ship from above in a tick with these events.
-fn landing(events: &[Event]) -> Option<Landing> {
+fn landing(events: &[Event]) -> Option<(DVec2, f64)> {
     let hits = events.iter().filter_map(|event| match *event {
         Event::Impact { a, b, point, speed, normal } => {
             // The normal points away from the hit body: up, where the ship is `a`.
-            let up = if a == SHIP {
-                -normal.y
-            } else if b == Obstacle::Body(SHIP) {
-                normal.y
-            } else {
-                0.0
+            let up = match b {
+                _ if a == SHIP => -normal.y,
+                Obstacle::Body(SHIP) => normal.y,
+                _ => 0.0,
             };
-            (up > 0.5).then_some(Landing { point, speed })
+            (up > 0.5).then_some((point, speed))
         }
         Event::Crushed { .. } | Event::Snapped { .. } | Event::Hooked { .. } => None,
     });
-    hits.max_by(|a, b| a.speed.total_cmp(&b.speed))
+    hits.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 /// Pause before the ship breaks, s.
@@ -316,7 +289,6 @@ impl Wreck {
     }
 }
 
-/// The hull is white, the belly slate, the trim orange.
 fn colour(piece: u32) -> Colour {
     match (piece % PIECES, piece / PIECES) {
         (1, 0) => theme::accent(),
@@ -327,7 +299,6 @@ fn colour(piece: u32) -> Colour {
     }
 }
 
-/// The level with pieces for bodies.
 fn definition(level: &Level, centre: DVec2, velocity: DVec2) -> WorldDef {
     let cell = SHIP_HALF * 2.0 / f64::from(PIECES);
     let piece = |i: u32| {
@@ -358,7 +329,7 @@ mod tests {
     #[test]
     fn a_landing_is_what_hits_the_ship_from_below() {
         let floor = Obstacle::Surface(0);
-        assert_eq!(landing(&[hit(0, floor, DVec2::NEG_Y)]).map(|landing| landing.speed), Some(3.0));
+        assert_eq!(landing(&[hit(0, floor, DVec2::NEG_Y)]).map(|(_, speed)| speed), Some(3.0));
         assert!(landing(&[hit(0, floor, DVec2::Y), hit(0, floor, DVec2::X), hit(1, floor, DVec2::NEG_Y)]).is_none());
         assert!(landing(&[hit(1, Obstacle::Body(SHIP), DVec2::Y)]).is_some(), "it lands on a crate");
     }

@@ -1,7 +1,5 @@
-//! Drawings shared by the screens: panels, buttons, headings.
-//!
-//! Medals of arrows: a ring, and in it one, two or three of them that lead up, so that colour is not the only cue; for a level's
-//! own mark four that lead out.
+//! Drawings shared by the screens: panels, buttons, headings. Medals of arrows: a ring, and in it one, two or three of them that lead up, so that
+//! colour is not the only cue; for a level's own mark four that lead out.
 
 use super::theme;
 use crate::draw::layout::{Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};
@@ -155,7 +153,7 @@ pub fn graph_paper(canvas: &Canvas) {
 /// Darkens everything so far and starts a layer above it.
 pub fn curtain(canvas: &Canvas, alpha: f32) {
     canvas.end_layer();
-    canvas.rectangle(Area::new(0.0, 0.0, canvas.size().x, canvas.size().y), theme::ground().faded(alpha));
+    canvas.rectangle(canvas.frame().area(), theme::ground().faded(alpha));
 }
 
 /// Between neighbours in a row, in radii.

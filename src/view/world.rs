@@ -1,22 +1,13 @@
-//! The ground of the level, and its words. [`super::terrain`] draws the solids.
-//!
-//! Pictures and plain shapes without collision, in two layers: behind bodies and in front of them. A picture behind lies on rock as
-//! well as on air: below goals and hazards in the air, above the rock.
-//!
-//! The names of mechanisms beside them, while the details are open.
-//!
-//! Links between bodies and places: a coil, a rope that hangs where it is slack, field lines.
+//! The ground of the level, and its words; [`super::terrain`] draws the solids. Pictures and plain shapes without collision, in two layers: behind
+//! bodies and in front of them. A picture behind lies on rock as well as on air: below goals and hazards in the air, above the rock. The names of
+//! mechanisms, while the details are open. Links between bodies and places: a coil, a rope that hangs where it is slack, field lines.
 
-use super::camera::Viewport;
-use super::mechanisms::movers;
-use super::pictures::Pictures;
-use super::terrain::Terrain;
-use super::things::ellipse;
-use super::{sky, theme};
+use super::terrain::{Terrain, parts};
+use super::{art::Pictures, camera::Viewport, mechanisms::movers, sky, theme, things::ellipse};
 use crate::draw::layout::{Area, DETAILS, MONO_ADVANCE, Vec2, text_room};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, plain_name};
-use crate::level::{Level, Look, SurfaceOf, Text};
+use crate::level::{Level, Look, Solid, SurfaceOf, Text};
 use crate::physics::{Aabb, BodyId, DVec2, Link, LinkEnd, LinkLaw, Source};
 use crate::words::tr;
 
@@ -66,8 +57,7 @@ fn paper_lines(view: &Viewport, canvas: &Canvas, heavy: bool, colour: Colour) {
 
 /// The areas of the words, m: at least the room that they need.
 pub fn text_areas(level: &Level) -> Vec<Aabb> {
-    let area =
-        |text: &Text| Aabb::new(text.position, text.position + text_room(tr(&text.text), text.size as f32).as_dvec2() * SNAPPED);
+    let area = |it: &Text| Aabb::new(it.position, it.position + text_room(tr(&it.text), it.size as f32).as_dvec2() * SNAPPED);
     level.texts.iter().map(area).collect()
 }
 
@@ -92,7 +82,7 @@ pub fn draw_on_rock(level: &Level, terrain: &Terrain, pictures: &Pictures, (view
         // A plain shape is a mark on the air: rock hides it.
         let Look::Image(path) = &picture.look else { continue };
         let Some(image) = pictures.get(path) else { continue };
-        for part in terrain.parts(&picture.bounds) {
+        for part in parts(&terrain.mass, &picture.bounds) {
             // The ends are whole pixels of the window, so that the parts adjoin as the rock's do.
             let (area, all) = (view.rect(&part), view.rect(&picture.bounds));
             let shown = Area { min: (area.min - all.min) / all.size, size: area.size / all.size };
@@ -107,48 +97,34 @@ const AROUND: Vec2 = Vec2::new(5.0, 2.0);
 /// The names of all mechanisms in view with their areas, in the words of the details and of the switches.
 pub fn in_view(game: &Game, view: &Viewport) -> Vec<(String, Area)> {
     let level = game.level();
-    let mut named: Vec<(String, Area)> = Vec::new();
-    let mut write_name = |words: &str, bounds: &Aabb| {
-        if bounds.touches(&view.visible(), 0.0) {
-            named.push((words.to_owned(), view.rect(bounds)));
-        }
-    };
     let called = |of: SurfaceOf, name: Option<&str>| {
         let plain = plain_name(level, Source::Surface(level.surface_index(of) as u32));
         name.map_or(plain.clone(), |name| format!("{plain}: {name}"))
     };
-    for (index, solid) in level.world.iter().enumerate() {
-        let special = !solid.is_rock() || solid.belt != 0.0 || solid.material.restitution > 0.0;
-        if special && !game.mechanisms().is_broken(index) {
-            let name = match solid.breaks {
-                Some(impulse) => Some(tr!("breaks above {impulse} N·s", impulse = format_args!("{impulse:.0}"))),
-                None => solid.name.clone(),
-            };
-            write_name(&called(SurfaceOf::World(index), name.as_deref()), &solid.bounds);
-        }
-    }
-    for (index, (mover, bounds)) in level.movers.iter().zip(movers(game)).enumerate() {
-        write_name(&called(SurfaceOf::Mover(index), mover.solid.name.as_deref()), &bounds);
-    }
-    for (index, door) in level.doors.iter().enumerate() {
-        write_name(&called(SurfaceOf::Door(index), door.name.as_deref()), &door.bounds);
-    }
-    for (index, switch) in level.switches.iter().enumerate() {
+    let special = |solid: &Solid| !solid.is_rock() || solid.belt != 0.0 || solid.material.restitution > 0.0;
+    let solids = level.world.iter().enumerate().filter(|(index, solid)| special(solid) && !game.mechanisms().is_broken(*index));
+    let solids = solids.map(|(index, solid)| {
+        let breaks = solid.breaks.map(|impulse| tr!("breaks above {impulse} N·s", impulse = format_args!("{impulse:.0}")));
+        (called(SurfaceOf::World(index), breaks.as_deref().or(solid.name.as_deref())), solid.bounds)
+    });
+    let movers = level.movers.iter().zip(movers(game)).enumerate();
+    let movers = movers.map(|(index, (mover, bounds))| (called(SurfaceOf::Mover(index), mover.solid.name.as_deref()), bounds));
+    let doors = level.doors.iter().enumerate();
+    let doors = doors.map(|(index, door)| (called(SurfaceOf::Door(index), door.name.as_deref()), door.bounds));
+    let switches = level.switches.iter().enumerate().map(|(index, switch)| {
         let works: Vec<&str> = switch.works.iter().map(|work| work.name.as_str()).collect();
-        let words = tr!("switch {number}: {works}", number = index + 1, works = works.join(", "));
-        write_name(&words, &switch.bounds);
-    }
-    for (index, field) in level.fields.iter().enumerate() {
-        let DVec2 { x, y } = field.strength;
-        write_name(
-            &tr!("gravity {index}: ({x}, {y}) N/kg", index = index + 1, x = format_args!("{x:.1}"), y = format_args!("{y:.1}")),
-            &field.zone,
-        );
-    }
-    for (index, pod) in level.pods.iter().enumerate().filter(|(index, _)| !game.mechanisms().is_taken(*index)) {
-        write_name(&tr!("pod {number}: {fuel} fuel", number = index + 1, fuel = format_args!("{:.0}", pod.fuel)), &pod.bounds);
-    }
-    named
+        (tr!("switch {number}: {works}", number = index + 1, works = works.join(", ")), switch.bounds)
+    });
+    let fields = level.fields.iter().enumerate().map(|(index, field)| {
+        let [x, y] = field.strength.to_array().map(|part| format!("{part:.1}"));
+        (tr!("gravity {index}: ({x}, {y}) N/kg", index = index + 1, x, y), field.zone)
+    });
+    let pods = level.pods.iter().enumerate().filter(|(index, _)| !game.mechanisms().is_taken(*index));
+    let pods = pods.map(|(index, pod)| {
+        (tr!("pod {number}: {fuel} fuel", number = index + 1, fuel = format_args!("{:.0}", pod.fuel)), pod.bounds)
+    });
+    let named = solids.chain(movers).chain(doors).chain(switches).chain(fields).chain(pods);
+    named.filter(|(_, bounds)| bounds.touches(&view.visible(), 0.0)).map(|(name, bounds)| (name, view.rect(&bounds))).collect()
 }
 
 /// Gives each name a free place beside its mechanism, if there is one, and adds it to `taken`. `text` is the height of letters.
@@ -218,12 +194,10 @@ fn draw_link(link: &Link, [from, to]: [DVec2; 2], (view, canvas): (&Viewport, &C
         LinkLaw::Spring(spring) => {
             let turns = (spring.length / TURN).clamp(TURNS.0, TURNS.1).round() as usize;
             let corner = |i: usize| {
-                let side = if i == 0 || i == 2 * turns {
-                    0.0
-                } else if i.is_multiple_of(2) {
-                    COIL
-                } else {
-                    -COIL
+                let side = match i {
+                    _ if i == 0 || i == 2 * turns => 0.0,
+                    _ if i.is_multiple_of(2) => COIL,
+                    _ => -COIL,
                 };
                 view.point(from.lerp(to, i as f64 / (2 * turns) as f64) + across * side)
             };

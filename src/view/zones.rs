@@ -74,8 +74,7 @@ fn column(area: Area, height: f32, colour: Colour) -> Quads {
     quads
 }
 
-/// The words in the level: the author's in the size of type nearest to theirs; beside an objective its sign: the ship's with its outline, the
-/// key object's with a diamond, a met one with a tick.
+/// The words in the level: the author's; beside an objective its sign: the ship's outline, a key object's diamond, or a tick where it is met.
 pub fn draw_labels(game: &Game, labels: &[LevelLabel], view: &Viewport, canvas: &Canvas) {
     let level = game.level();
     for LevelLabel { of, words, area } in labels {
@@ -123,8 +122,7 @@ fn draw_sign(game: &Game, index: usize, middle: Vec2, canvas: &Canvas) {
     }
 }
 
-/// The rings of hold times, round the ship (drawn at `ship`, m) or the block that waits for a key: over all that moves, for a ship
-/// on a pad hides the pad's label.
+/// The rings of hold times, round the ship (at `ship`, m) or the block that waits for a key: over all, for a ship on a pad hides its label.
 pub fn draw_holds(game: &Game, ship: DVec2, view: &Viewport, canvas: &Canvas) {
     for (index, objective) in game.level().objectives.iter().enumerate() {
         let held = game.held(index) as f32;
@@ -185,11 +183,8 @@ pub fn draw_streams(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
         let zone = view.rect(&stream.zone);
         let colour = theme::force(crate::physics::ForceKind::Wind);
         canvas.rectangle(zone, colour.faded(0.055));
-        let way = if stream.force.x.abs() > stream.force.y.abs() {
-            DVec2::new(stream.force.x.signum(), 0.0)
-        } else {
-            DVec2::new(0.0, stream.force.y.signum())
-        };
+        let force = stream.force;
+        let way = if force.x.abs() > force.y.abs() { DVec2::X * force.x.signum() } else { DVec2::Y * force.y.signum() };
         let size = stream.zone.size();
         let length = (size * way.abs()).element_sum();
         let across = (size - size * way.abs()).element_sum();
@@ -218,15 +213,10 @@ pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
         canvas.rectangle_edge(area, 2.0, Colour::hex(0x8FA3BF));
         let inner = area.inset(5.0);
         let upright = stream.force.x.abs() > stream.force.y.abs();
-        let slats = ((if upright { inner.size.y } else { inner.size.x }) / 9.0).floor().max(0.0) as usize;
-        for i in 0..slats {
-            let at = 2.0 + 9.0 * i as f32;
-            let (x, y, w, h) = if upright {
-                (inner.min.x, inner.min.y + at, inner.size.x, 4.0)
-            } else {
-                (inner.min.x + at, inner.min.y, 4.0, inner.size.y)
-            };
-            canvas.rectangle(Area::new(x, y, w.max(0.0), h.max(0.0)), Colour::hex(0x2A3344));
+        let (along, slat) = if upright { (Vec2::Y, Vec2::new(inner.size.x, 4.0)) } else { (Vec2::X, Vec2::new(4.0, inner.size.y)) };
+        for i in 0..(inner.size.dot(along) / 9.0).floor().max(0.0) as usize {
+            let min = inner.min + along * (2.0 + 9.0 * i as f32);
+            canvas.rectangle(Area { min, size: slat.max(Vec2::ZERO) }, Colour::hex(0x2A3344));
         }
         let way = stream.force.normalize_or_zero().as_vec2();
         let reach = area.size.x.min(area.size.y) * 0.32;
@@ -270,10 +260,8 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
         let starts = open.iter().map(|span| span.0).chain([fluid.zone.max.x]);
         for (from, to) in ends.zip(starts).filter(|(from, to)| from < to) {
             let lid = view.rect(&Aabb::new(DVec2::new(from, fluid.zone.min.y), DVec2::new(to, fluid.zone.max.y)));
-            let (a, b) = (
-                Vec2::new(lid.min.x.max(area.min.x), all.min.y),
-                Vec2::new(lid.max().x.min(area.max().x), all.min.y + WAVE_HEIGHT),
-            );
+            let (left, right) = (lid.min.x.max(area.min.x), lid.max().x.min(area.max().x));
+            let (a, b) = (Vec2::new(left, all.min.y), Vec2::new(right, all.min.y + WAVE_HEIGHT));
             if a.x < b.x {
                 quads.quad([a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)], [thick(a.y); 4]);
                 quads.stroke([a, Vec2::new(b.x, a.y)], 1.5, [mixed(colour).faded(0.5); 2]);
@@ -371,8 +359,7 @@ fn surface(canvas: &Canvas, shown: (f32, f32), all: Area, colour: Colour, time: 
     canvas.quads(quads);
 }
 
-/// The left and right edges of the columns from `left` to `right`, which lie fixed to a liquid that begins at `min`, canvas units. They are counted:
-/// at some zooms a sum of steps stands still in rounding.
+/// The edges of columns fixed to a liquid that begins at `min`, canvas units; counted, since at some zooms a sum of steps stands still in rounding.
 fn columns((left, right): (f32, f32), min: f32) -> impl Iterator<Item = [f32; 2]> {
     const STEP: f32 = 8.0;
     let column = move |x: f32| ((x - min) / STEP).floor() as i64;

@@ -121,9 +121,9 @@ fn conf() -> Conf {
 
 async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
     words::note_system(Language::named(&host::language()));
-    let mut pen = WindowPen::new(&art::sheet())?;
+    let mut pen = WindowPen::new(&art::sheet().bytes)?;
     let mut canvas = Canvas::new(Frame::default());
-    let mut spectator = WindowSpectator::new(Speaker::new());
+    let mut spectator = WindowSpectator::new(Speaker::start());
     let mut stack = Stack::with_worker(places, Worker::beside());
     stack.session.clipboard.of_system = true;
     match start {
@@ -188,7 +188,7 @@ async fn run(places: Places, start: Option<Start>) -> Result<(), String> {
 fn read_input(canvas: &Canvas, (pad_pressed, pad_held): (Keys, Keys), keys: Input) -> Input {
     Input {
         frame: *canvas.frame(),
-        pointer: canvas.to_canvas(Vec2::from(mouse_position())),
+        pointer: Vec2::from(mouse_position()) * canvas.dpi() * canvas.frame().pixel,
         click: is_mouse_button_pressed(MouseButton::Left),
         holding: is_mouse_button_down(MouseButton::Left),
         right_click: is_mouse_button_pressed(MouseButton::Right),

@@ -80,7 +80,7 @@ impl WindowSpectator {
     /// The body under the pointer, and the place in the level, m, where a game is shown.
     pub fn pointed(&mut self, screen: &dyn Screen, input: &Input) -> (Option<BodyId>, Option<DVec2>) {
         let Some(view) = &mut self.view else { return (None, None) };
-        view.point_at(input.pointer);
+        view.pointer = Some(input.pointer);
         let Some(GameScene { game, alpha, room, .. }) = screen.scene(&input.frame) else { return (None, None) };
         let place = view.viewport(game, alpha, &room).metres(input.pointer);
         (view.body_at(game, alpha, input.pointer, &room), Some(place))
@@ -119,7 +119,7 @@ impl WindowSpectator {
             [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
         // The burst of a loss, then a beat of silence.
         let music = if self.lost { HUSHED * music } else { music };
-        self.speaker.set_volumes(Volumes { master, effects, music });
+        self.speaker.desk.set_volumes(Volumes { master, effects, music });
     }
 
     /// The line that F3 shows: frames a second, and what a tick costs.
@@ -137,11 +137,11 @@ impl WindowSpectator {
         }
         screen.noises().into_iter().for_each(|noise| self.speaker.play(heard_as(noise)));
         if let Some(name) = screen.tune() {
-            self.speaker.set_tune(Some(tune(name)));
+            self.speaker.desk.set_tune(Some(tune(name)));
         } else {
             self.how.pace = 0.0;
         }
-        self.speaker.arrange(self.how);
+        self.speaker.desk.set_arrangement(self.how);
         self.lost = false;
         self.speaker.end_frame();
     }

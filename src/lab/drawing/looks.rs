@@ -5,7 +5,7 @@ use crate::draw::chart::{CurveLook, CurveOrigin, DASHES, Marker};
 use crate::lab::curve::MethodCurve;
 use crate::lab::kept::OURS;
 use crate::lab::methods::{METHODS, motion};
-use crate::lab::scenes::{bouncing, collisions, sliding, stacks};
+use crate::lab::scenes::{bouncing, collisions, stacks};
 use crate::lab::stability::{PART, SHIPPED};
 use crate::view::theme;
 use crate::words::tr;
@@ -48,7 +48,7 @@ pub(super) fn look_of(name: &str, origin: CurveOrigin, index: usize) -> CurveLoo
     }
     let name = if name == PART { motion::ADAPTIVE } else { name };
     let motions = METHODS.iter().map(|(name, _)| *name).chain(["exact flow"]);
-    let contacts = sliding::METHODS.iter().map(|(name, _)| *name).chain(bouncing::METHODS.iter().map(|(name, _)| *name));
+    let contacts = bouncing::SLIDE_METHODS.iter().map(|(name, _)| *name).chain(bouncing::METHODS.iter().map(|(name, _)| *name));
     let solvers = collisions::METHODS.iter().map(|(name, _)| *name).chain(stacks::SOLVERS.iter().map(|(name, _)| *name));
     let known = motions.chain(contacts).chain(solvers).position(|known| known == name);
     CurveLook::of(known.unwrap_or(index), origin)

@@ -25,7 +25,7 @@ const BEGIN: f64 = 0.5;
 const STEP: f64 = 0.18;
 
 #[derive(Debug)]
-pub(super) struct Moment {
+pub(super) struct ShipForces {
     /// On the clock, s.
     time: f64,
     /// The ship's centre, m.
@@ -34,7 +34,7 @@ pub(super) struct Moment {
     forces: Vec<(ForceKind, DVec2)>,
 }
 
-impl Moment {
+impl ShipForces {
     fn of(game: &Game) -> Self {
         let forces = game.world().forces(SHIP);
         let least = LEAST * forces.resultant().length();
@@ -114,7 +114,7 @@ impl Scoring {
 
     /// By when the arrows stand, s.
     pub(super) fn forces_stand(&self) -> f64 {
-        self.moment.as_ref().map_or(0.0, Moment::whole)
+        self.moment.as_ref().map_or(0.0, ShipForces::whole)
     }
 }
 
@@ -124,7 +124,7 @@ mod tests {
 
     #[test]
     fn the_moment_with_most_forces_aside_of_their_sum_is_shown() {
-        let moment = |forces: &[(ForceKind, DVec2)]| Moment { time: 1.0, place: DVec2::ZERO, forces: forces.to_vec() };
+        let moment = |forces: &[(ForceKind, DVec2)]| ShipForces { time: 1.0, place: DVec2::ZERO, forces: forces.to_vec() };
         let weight = (ForceKind::Weight, DVec2::new(0.0, 1000.0));
         let up = moment(&[weight, (ForceKind::Drive, DVec2::new(0.0, -2000.0))]);
         let at_rest = moment(&[weight, (ForceKind::Reaction, -weight.1)]);

@@ -17,7 +17,7 @@ use crate::settings::{Action, Key};
 use crate::ui::{Spectator, Ui, WidgetKind, input::Input, pace::Motion};
 use crate::view::{Overlays, camera::Viewport, hud::Aside, theme, widgets};
 use crate::words::tr;
-use forces::Moment;
+use forces::ShipForces;
 use std::rc::Rc;
 
 /// For how long the keys of menus do nothing on a page that has just opened, s: a key that was meant for the flight goes down about so late.
@@ -73,7 +73,7 @@ pub struct Scoring {
     /// The path of the flight, then that of the best rival, with whose it is.
     paths: Vec<(String, GhostTrack)>,
     /// The moment of the flight that shows most forces, as far as its path is known.
-    moment: Option<Moment>,
+    moment: Option<ShipForces>,
 }
 
 impl Scoring {
@@ -239,7 +239,7 @@ impl Screen for Scoring {
         for (i, (_, track)) in self.paths.iter_mut().enumerate() {
             track.fly(ticks, |game| {
                 if own && i == 0 {
-                    Moment::note(moment, game);
+                    ShipForces::note(moment, game);
                 }
             });
         }

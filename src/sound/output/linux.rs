@@ -1,17 +1,12 @@
-//! Output on Linux: the thread computes and writes block after block; the device holds it until there is room.
-//!
-//! Paces the samples by the clock. A device takes no more than fits its buffer; a file or null device takes samples as fast as the
-//! processor computes them.
-//!
-//! The sound libraries of a Linux system, found at run time: PulseAudio's simple interface (which PipeWire offers as well), else
-//! ALSA's. Without either, or without a device, there is silence.
-//!
-//! Its unsafe code rests on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and
+//! Output on Linux: the thread computes and writes block after block; the device holds it until there is room. Paces the samples by the clock. A
+//! device takes no more than fits its buffer; a file or null device takes samples as fast as the processor computes them. The sound libraries of a
+//! Linux system, found at run time: PulseAudio's simple interface (which PipeWire offers as well), else ALSA's. Without either, or without a device,
+//! there is silence. Its unsafe code rests on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and
 //! `alsa/asoundlib.h` (libasound 2), compatible since 2007 and 2004, as the names `.so.0` and `.so.2` promise; and a
 //! device is used by the one thread that opened it.
 #![allow(unsafe_code)]
 
-use super::why::Why;
+use super::Why;
 use crate::sound::{Feed, Mixer};
 use crate::system_library::{function, library};
 use std::ffi::{c_char, c_int, c_long, c_uint, c_ulong, c_void};
@@ -63,18 +58,11 @@ const BACK: f64 = 0.1;
 /// The share of the lead that is forgotten a block: clocks differ a little, and a device's own is the right one.
 const FORGETS: f64 = 0.002;
 
-/// The lead of the samples over the clock.
-#[derive(Debug, Default)]
-pub struct SamplePace {
-    lead: f64,
-}
-
 /// Writes blocks of a length (s) until `write` refuses one, at the pace of the clock (s) that `now` reads and `pause` lets pass.
 pub fn keep_pace(block: f64, mut write: impl FnMut() -> bool, now: impl Fn() -> f64, pause: impl Fn(Duration)) {
-    let mut pace = SamplePace::default();
-    let mut begun = now();
+    let (mut lead, mut begun) = (0.0, now());
     while write() {
-        let wait = pace.after(block, now() - begun);
+        let wait = after(&mut lead, block, now() - begun);
         if !wait.is_zero() {
             pause(wait);
         }
@@ -82,17 +70,13 @@ pub fn keep_pace(block: f64, mut write: impl FnMut() -> bool, now: impl Fn() -> 
     }
 }
 
-impl SamplePace {
-    /// The pause after a block of that length that took so long to compute and to write (both s).
-    fn after(&mut self, block: f64, taken: f64) -> Duration {
-        self.lead = ((self.lead + block - taken.max(0.0)) * (1.0 - FORGETS)).max(0.0);
-        if self.lead < AHEAD {
-            return Duration::ZERO;
-        }
-        let wait = self.lead - BACK;
-        self.lead = BACK;
-        Duration::from_secs_f64(wait)
+/// The pause after a block of that length that took so long to compute and to write (both s); `lead` is that of the samples over the clock.
+fn after(lead: &mut f64, block: f64, taken: f64) -> Duration {
+    *lead = ((*lead + block - taken.max(0.0)) * (1.0 - FORGETS)).max(0.0);
+    if *lead < AHEAD {
+        return Duration::ZERO;
     }
+    Duration::from_secs_f64(std::mem::replace(lead, BACK) - BACK)
 }
 
 /// Samples a second; the libraries convert them to the device's rate.
@@ -106,7 +90,6 @@ const SAMPLE: usize = size_of::<f32>();
 const STUMBLES: usize = 8;
 
 /// The library in use.
-#[derive(Debug)]
 pub struct Libraries {
     pulse: Option<Pulse>,
     alsa: Option<Alsa>,
@@ -121,7 +104,6 @@ impl Libraries {
     }
 }
 
-#[derive(Debug)]
 pub enum Device {
     /// PulseAudio or PipeWire, which mix programs.
     Pulse(&'static Pulse, NonNull<c_void>),
@@ -194,7 +176,6 @@ type PulseNew = unsafe extern "C" fn(
 ) -> *mut c_void;
 
 /// PulseAudio's simple interface.
-#[derive(Debug)]
 pub struct Pulse {
     new: PulseNew,
     write: unsafe extern "C" fn(*mut c_void, *const c_void, usize, *mut c_int) -> c_int,
@@ -246,7 +227,6 @@ const ALSA_FLOAT: c_int = if cfg!(target_endian = "little") { 14 } else { 15 };
 type ErrorHandler = unsafe extern "C" fn(*const c_char, c_int, *const c_char, c_int, *const c_char, *const c_void);
 
 /// ALSA's PCM interface.
-#[derive(Debug)]
 pub struct Alsa {
     open: unsafe extern "C" fn(*mut *mut c_void, *const c_char, c_int, c_int) -> c_int,
     nonblock: unsafe extern "C" fn(*mut c_void, c_int) -> c_int,
@@ -283,8 +263,7 @@ impl Alsa {
             unsafe { set(Some(say_nothing)) };
         }
         let mut pcm = ptr::null_mut();
-        // SAFETY: `pcm` takes the handle; the name ends with 0. Opened so that it does not wait for a device that another program
-        // has.
+        // SAFETY: `pcm` takes the handle; the name ends with 0. Opened so that it does not wait for a device that another program has.
         if unsafe { (self.open)(&mut pcm, c"default".as_ptr(), ALSA_PLAYBACK, ALSA_NONBLOCK) } < 0 {
             return None;
         }
@@ -314,8 +293,7 @@ impl Alsa {
                 // A device that takes nothing and returns no error would hold this loop for ever.
                 Ok(0) => return false,
                 Ok(frames) => left = left.get(frames * CHANNELS..).unwrap_or_default(),
-                // An underrun (the machine was busy, or asleep) recovers; any other error means that the device is gone. SAFETY:
-                // the handle is open.
+                // An underrun (the machine was busy, or asleep) recovers; any other error means that the device is gone. SAFETY: the handle is open.
                 Err(_) if unsafe { (self.recover)(pcm.as_ptr(), written as c_int, 1) } < 0 => return false,
                 Err(_) => stumbles += 1,
             }
@@ -332,8 +310,8 @@ mod tests {
 
     #[test]
     fn what_takes_everything_gets_it_at_the_clocks_pace() {
-        let mut pace = SamplePace::default();
-        let waited: Duration = (0..1000).map(|_| pace.after(BLOCK, 0.0001)).sum();
+        let mut lead = 0.0;
+        let waited: Duration = (0..1000).map(|_| after(&mut lead, BLOCK, 0.0001)).sum();
         assert!((9.0..10.0).contains(&waited.as_secs_f64()), "{waited:?}");
     }
 
@@ -354,9 +332,9 @@ mod tests {
 
     #[test]
     fn a_device_whose_clock_is_fast_is_never_held_up() {
-        let mut pace = SamplePace::default();
+        let mut lead = 0.0;
         // Half a per cent fast for three hours; no device is worse than a fiftieth of that.
-        let waited: Duration = (0..1_000_000).map(|_| pace.after(BLOCK, BLOCK * 0.995)).sum();
+        let waited: Duration = (0..1_000_000).map(|_| after(&mut lead, BLOCK, BLOCK * 0.995)).sum();
         assert_eq!(waited, Duration::ZERO);
     }
 

@@ -1,21 +1,28 @@
-//! Takes the mixer's samples to a device, on a thread that the game never waits for: on Linux through the libraries of the system,
-//! found at run time (the build needs nothing); on Windows and macOS through `cpal`; in a browser by the page's script. Other
-//! systems are silent.
+//! Takes the mixer's samples to a device, on a thread that the game never waits for: on Linux through the libraries of the system, found at run time
+//! (the build needs nothing); on Windows and macOS through `cpal`; in a browser by the page's script. Other systems are silent.
 
-#[cfg(any(windows, target_os = "macos"))]
-mod cpal;
 #[cfg(target_os = "linux")]
 mod linux;
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 mod player;
-#[cfg(any(target_os = "linux", windows, target_os = "macos"))]
-mod why;
 
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 pub use player::Output;
 
 #[cfg(browser)]
 pub use crate::web::Output;
+
+/// The reason for which playing ends.
+#[cfg(any(target_os = "linux", windows, target_os = "macos"))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Why {
+    /// The game has ended, or there is no library.
+    Over,
+    /// There is no device now.
+    NoDevice,
+    /// The device vanished.
+    Lost,
+}
 
 /// No output is known on this system.
 #[cfg(not(any(target_os = "linux", windows, target_os = "macos", browser)))]

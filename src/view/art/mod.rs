@@ -1,10 +1,7 @@
-//! The art: the game paints its own pictures onto one sheet, so that they go to the graphics card in one batch. The pictures of a
-//! level's author (sprites, a background) are in [`super::pictures`].
-//!
-//! The ship's picture: a compact lander, nose up, painted in unit coordinates (−1 … 1 across its 1.7 m box). All of it lies in the
-//! circle that touches the box from inside: the box does not turn with the ship, and nothing drawn may leave it at any angle.
-//!
-//! Small pictures that the canvas tints: soft discs and glows, the flame, the hatching of death boxes.
+//! The art: the game paints its own pictures onto one sheet, so that they go to the graphics card in one batch; beside it the pictures of a level's
+//! author (sprites, a background). The ship's picture: a compact lander, nose up, painted in unit coordinates (−1 … 1 across its 1.7 m box). All of
+//! it lies in the circle that touches the box from inside: the box does not turn with the ship, and nothing drawn may leave it at any angle. Small
+//! pictures that the canvas tints: soft discs and glows, the flame, the hatching of death boxes.
 
 mod paint;
 pub mod rock;
@@ -12,10 +9,11 @@ pub mod rock;
 use super::camera::Viewport;
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour, Image, Painting, Quads};
-use crate::level::SHIP_PIXELS;
+use crate::level::{Level, SHIP_PIXELS};
 use crate::physics::{Aabb, DVec2, Material};
-use paint::{Pixels, TILE_METRES};
-use std::sync::LazyLock;
+use paint::TILE_METRES;
+use std::path::{Path, PathBuf};
+use std::{collections::BTreeMap, sync::LazyLock};
 
 /// Width and height of the sheet, pixels.
 pub const SHEET: usize = 1024;
@@ -57,13 +55,13 @@ impl Tile {
     }
 
     /// The ship, which takes longest, is painted once and handed in.
-    fn paint(self, ship: &Pixels) -> Pixels {
+    fn paint(self, ship: &Painting) -> Painting {
         let (width, height) = self.size();
         match self {
             Self::Ship => ship.clone(),
             Self::SmallShip => ship.halved(),
-            Self::Disc => disc(width),
-            Self::Glow => glow(width),
+            Self::Disc => radial(width, |r| (1.0 - r).clamp(0.0, 0.25) * 4.0),
+            Self::Glow => radial(width, |r| (1.0 - r * r).max(0.0).powi(3)),
             Self::Flame => flame(width, height),
             Self::Hatching => hatching(width),
             Self::Material(name) => paint::pattern(name),
@@ -89,15 +87,15 @@ static PLACES: LazyLock<Vec<(Tile, Area)>> = LazyLock::new(|| {
     Material::ALL.iter().map(|material| Tile::Material(material.name)).chain(others).map(place).collect()
 });
 
-/// RGBA, painted at each call.
-pub fn sheet() -> Vec<u8> {
-    let mut sheet = Pixels::new(SHEET, SHEET, [255; 3]);
+/// Painted at each call.
+pub fn sheet() -> Painting {
+    let mut sheet = Painting::new(SHEET, SHEET, [255; 3]);
     let ship = ship(SHIP);
     for (tile, area) in PLACES.iter() {
         let tiles = matches!(tile, Tile::Hatching | Tile::Material(_));
         sheet.place(&tile.paint(&ship), (area.min.x as usize, area.min.y as usize), GUTTER, tiles);
     }
-    sheet.into_bytes()
+    sheet
 }
 
 /// The place of a picture on the sheet. A material without a picture looks like the first.
@@ -152,14 +150,26 @@ pub fn halo(canvas: &Canvas, around: Area, reach: f32, tint: Colour) {
     canvas.quads(quads);
 }
 
-/// A picture at half its size.
-pub fn halved(Painting { width, bytes }: Painting) -> Painting {
-    Painting { width: width / 2, bytes: Pixels::from_bytes(width, bytes).halved().into_bytes() }
-}
-
 /// The ship as a picture of `side` pixels a side, RGBA: for the window's icon.
 pub fn icon(side: usize) -> Vec<u8> {
-    ship(2 * side).halved().into_bytes()
+    ship(2 * side).halved().bytes
+}
+
+/// The pictures of a level, from bytes, by path.
+#[derive(Default)]
+pub struct Pictures(BTreeMap<PathBuf, Image>);
+
+impl Pictures {
+    /// Asks `read` for the bytes of each picture that the level names. A picture that cannot be read is left out: the loader has
+    /// checked all of them, and a file that vanished since is no reason to stop the game.
+    pub fn new(level: &Level, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
+        let paths = level.pictures().chain(&level.background);
+        Self(paths.filter_map(|path| Some((path.clone(), Image::File(read(path)?.into())))).collect())
+    }
+
+    pub fn get(&self, path: &Path) -> Option<&Image> {
+        self.0.get(path)
+    }
 }
 
 /// Cuts a box at the lines where a pattern begins again.
@@ -167,20 +177,14 @@ fn pieces(bounds: &Aabb) -> Vec<Aabb> {
     let cuts = |from: f64, to: f64| {
         let first = (from / TILE_METRES).floor() as i64 + 1;
         let inner = (first..).map(|i| i as f64 * TILE_METRES).take_while(move |cut| *cut < to);
-        let edges: Vec<f64> = std::iter::once(from).chain(inner).chain(std::iter::once(to)).collect();
-        edges
+        std::iter::once(from).chain(inner).chain([to]).collect::<Vec<f64>>()
     };
     if bounds.size().min_element() <= 0.0 {
         return Vec::new();
     }
     let (columns, rows) = (cuts(bounds.min.x, bounds.max.x), cuts(bounds.min.y, bounds.max.y));
-    let mut pieces = Vec::with_capacity((columns.len() - 1) * (rows.len() - 1));
-    for x in columns.windows(2) {
-        for y in rows.windows(2) {
-            pieces.push(Aabb::new(DVec2::new(x[0], y[0]), DVec2::new(x[1], y[1])));
-        }
-    }
-    pieces
+    let row = |x: &[f64]| rows.windows(2).map(|y| Aabb::new(DVec2::new(x[0], y[0]), DVec2::new(x[1], y[1]))).collect::<Vec<_>>();
+    columns.windows(2).flat_map(row).collect()
 }
 
 const SHELL: [u8; 3] = [0xF4, 0xF6, 0xFA];
@@ -198,8 +202,8 @@ const RIM: f32 = 0.04;
 const WAIST: f32 = 0.30;
 
 /// `size` is width and height, pixels.
-pub fn ship(size: usize) -> Pixels {
-    let mut p = Pixels::new(size, size, OUTLINE);
+pub fn ship(size: usize) -> Painting {
+    let mut p = Painting::new(size, size, OUTLINE);
     // Fins: they give the tail its width and tell it from the nose.
     p.fill(|x, y| fin(x.abs(), y, 0.0), |_, _| OUTLINE);
     p.fill(|x, y| fin(x.abs(), y, RIM), |x, _| if x > 0.0 { [0xE0, 0x86, 0x10] } else { TRIM });
@@ -250,27 +254,17 @@ fn mix(a: [u8; 3], b: [u8; 3], t: f32) -> [u8; 3] {
     std::array::from_fn(|i| (f32::from(a[i]) * (1.0 - t) + f32::from(b[i]) * t).round() as u8)
 }
 
-/// A white disc with a soft edge, for particles.
-pub fn disc(size: usize) -> Pixels {
-    radial(size, |r| (1.0 - r).clamp(0.0, 0.25) * 4.0)
-}
-
-/// A white light that falls off smoothly to nothing at the rim.
-pub fn glow(size: usize) -> Pixels {
-    radial(size, |r| (1.0 - r * r).max(0.0).powi(3))
-}
-
-/// Maps the distance from the middle (1 at the rim) to alpha.
-fn radial(size: usize, alpha: impl Fn(f32) -> f32) -> Pixels {
-    Pixels::of(size, size, |x, y| {
+/// White; maps the distance from the middle (1 at the rim) to alpha.
+fn radial(size: usize, alpha: impl Fn(f32) -> f32) -> Painting {
+    Painting::of(size, size, |x, y| {
         let from = |p: usize| (p as f32 + 0.5) / size as f32 * 2.0 - 1.0;
         [255, 255, 255, (alpha(from(x).hypot(from(y))) * 255.0).round() as u8]
     })
 }
 
 /// The engine's flame, its root at the top: white hot in the middle, orange at the rim, gone at the end.
-pub fn flame(width: usize, height: usize) -> Pixels {
-    Pixels::of(width, height, |x, y| {
+pub fn flame(width: usize, height: usize) -> Painting {
+    Painting::of(width, height, |x, y| {
         let (u, v) = ((x as f32 + 0.5) / width as f32 * 2.0 - 1.0, (y as f32 + 0.5) / height as f32);
         let half = 0.55 * (1.0 - v).powf(0.7) * (0.75 + 1.6 * v * (1.0 - v));
         let inside = 1.0 - u.abs() / half.max(1e-3);
@@ -281,8 +275,8 @@ pub fn flame(width: usize, height: usize) -> Pixels {
 }
 
 /// Slanting red stripes with dark ones between; tiles.
-pub fn hatching(size: usize) -> Pixels {
-    Pixels::of(size, size, |x, y| {
+pub fn hatching(size: usize) -> Painting {
+    Painting::of(size, size, |x, y| {
         let period = size / 8;
         let across = (x + y) % period;
         // The stripe's two edges are blended over a pixel.
@@ -316,7 +310,8 @@ mod tests {
         for (i, (tile, area)) in PLACES.iter().enumerate() {
             assert!(area.min.min_element() > 0.0 && area.max().max_element() < SHEET as f32, "{tile:?}: {area:?}");
             assert!(PLACES[..i].iter().all(|(_, other)| area.gap(other) >= 2.0 * GUTTER as f32), "{tile:?}: {area:?}");
-            assert_eq!(tile.paint(&ship).size(), tile.size(), "{tile:?}");
+            let picture = tile.paint(&ship);
+            assert_eq!((picture.width, picture.height()), tile.size(), "{tile:?}");
         }
     }
 
@@ -346,8 +341,8 @@ mod tests {
 
     /// How far the picture reaches along both axes when it is turned, in halves of its box: to the far corners of every pixel that shows
     /// anything, and half a pixel more, over which filtering spreads it.
-    fn reaches(picture: &Pixels, degrees: f32) -> [f32; 4] {
-        let size = picture.size().0;
+    fn reaches(picture: &Painting, degrees: f32) -> [f32; 4] {
+        let size = picture.width;
         let (sin, cos) = degrees.to_radians().sin_cos();
         let mut reaches = [0.0_f32; 4];
         for y in 0..size {
@@ -382,7 +377,7 @@ mod tests {
         use crate::level::{SHIP_BODY, SHIP_HALF, SHIP_PIXELS};
         const HALF_A_PIXEL: f64 = 0.5;
         let picture = ship(super::SHIP);
-        let size = picture.size().0;
+        let size = picture.width;
         // Pixels of the box that is 51 of them wide, from its centre.
         let pixels = |i: usize| ((i as f64 + 0.5) / size as f64 - 0.5) * SHIP_PIXELS;
         let drawn: Vec<DVec2> = (0..size * size)

@@ -1,45 +1,21 @@
 //! A small painter of pictures in memory: shapes with smooth edges and textures from a function of the place.
-//!
 //! The materials as square patterns that tile, and the two movable plain shapes: all slate, each with a texture of its own.
+
+use crate::draw::Painting;
 
 /// Samples a pixel and axis that measure how much of it a shape covers.
 const SAMPLES: usize = 2;
 
-/// A picture in straight (not premultiplied) RGBA, row by row from the top.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Pixels {
-    width: usize,
-    height: usize,
-    bytes: Vec<u8>,
-}
-
-impl Pixels {
+impl Painting {
     /// A transparent picture. Its hidden colour matters where filtering mixes an edge with what lies beside it.
     pub fn new(width: usize, height: usize, hidden: [u8; 3]) -> Self {
         let [r, g, b] = hidden;
-        Self { width, height, bytes: [r, g, b, 0].repeat(width * height) }
+        Self { width, bytes: [r, g, b, 0].repeat(width * height) }
     }
 
-    /// `colour` maps a pixel's column and row to its colour.
+    /// `colour` maps a pixel's column and row to its colour, in straight (not premultiplied) RGBA.
     pub fn of(width: usize, height: usize, colour: impl Fn(usize, usize) -> [u8; 4]) -> Self {
-        let bytes = (0..width * height).flat_map(|i| colour(i % width, i / width)).collect();
-        Self { width, height, bytes }
-    }
-
-    /// Four bytes a pixel, `width` of them a row.
-    pub const fn from_bytes(width: usize, bytes: Vec<u8>) -> Self {
-        Self { width, height: bytes.len() / 4 / width, bytes }
-    }
-
-    /// Pixels.
-    #[cfg(test)]
-    pub const fn size(&self) -> (usize, usize) {
-        (self.width, self.height)
-    }
-
-    /// Four bytes a pixel.
-    pub fn into_bytes(self) -> Vec<u8> {
-        self.bytes
+        Self { width, bytes: (0..width * height).flat_map(|i| colour(i % width, i / width)).collect() }
     }
 
     pub fn at(&self, x: usize, y: usize) -> [u8; 4] {
@@ -55,17 +31,18 @@ impl Pixels {
     /// Paints each place in `inside`, −1 to 1 across and down the picture, with its `colour`.
     pub fn fill(&mut self, inside: impl Fn(f32, f32) -> bool, colour: impl Fn(f32, f32) -> [u8; 3]) {
         let place = |pixel: usize, sample: f32, size: usize| (pixel as f32 + sample) / size as f32 * 2.0 - 1.0;
-        for y in 0..self.height {
+        let height = self.height();
+        for y in 0..height {
             for x in 0..self.width {
                 let covered = (0..SAMPLES * SAMPLES)
                     .filter(|i| {
                         let sample = |i: usize| (i as f32 + 0.5) / SAMPLES as f32;
-                        inside(place(x, sample(i % SAMPLES), self.width), place(y, sample(i / SAMPLES), self.height))
+                        inside(place(x, sample(i % SAMPLES), self.width), place(y, sample(i / SAMPLES), height))
                     })
                     .count();
                 if covered > 0 {
                     let cover = covered as f32 / (SAMPLES * SAMPLES) as f32;
-                    let colour = colour(place(x, 0.5, self.width), place(y, 0.5, self.height));
+                    let colour = colour(place(x, 0.5, self.width), place(y, 0.5, height));
                     self.put(x, y, over(self.at(x, y), colour, cover));
                 }
             }
@@ -74,7 +51,7 @@ impl Pixels {
 
     /// The same picture at half the size, each pixel the mean of four weighted by opacity.
     pub fn halved(&self) -> Self {
-        Self::of(self.width / 2, self.height / 2, |x, y| {
+        Self::of(self.width / 2, self.height() / 2, |x, y| {
             let four = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| self.at(2 * x + dx, 2 * y + dy).map(f32::from));
             let cover: f32 = four.iter().map(|p| p[3]).sum();
             let mean = |c: usize| if cover > 0.0 { four.iter().map(|p| p[c] * p[3]).sum::<f32>() / cover } else { four[0][c] };
@@ -89,9 +66,10 @@ impl Pixels {
             let i = i as isize - gutter as isize;
             if tiles { i.rem_euclid(size as isize) as usize } else { i.clamp(0, size as isize - 1) as usize }
         };
-        for row in 0..other.height + 2 * gutter {
+        let height = other.height();
+        for row in 0..height + 2 * gutter {
             for column in 0..other.width + 2 * gutter {
-                self.put(x + column - gutter, y + row - gutter, other.at(pick(column, other.width), pick(row, other.height)));
+                self.put(x + column - gutter, y + row - gutter, other.at(pick(column, other.width), pick(row, height)));
             }
         }
     }
@@ -121,7 +99,7 @@ pub const SIZE: usize = 192;
 type Rgb = [f32; 3];
 
 /// The pattern of a material's name; asphalt for a name without a pattern.
-pub fn pattern(material: &str) -> Pixels {
+pub fn pattern(material: &str) -> Painting {
     match material {
         "Steel" => steel(),
         "Ice" => ice(),
@@ -133,8 +111,8 @@ pub fn pattern(material: &str) -> Pixels {
     }
 }
 
-fn painted(colour: impl Fn(usize, usize) -> Rgb) -> Pixels {
-    Pixels::of(SIZE, SIZE, |x, y| {
+fn painted(colour: impl Fn(usize, usize) -> Rgb) -> Painting {
+    Painting::of(SIZE, SIZE, |x, y| {
         let [r, g, b] = colour(x, y).map(|c| c.round().clamp(0.0, 255.0) as u8);
         [r, g, b, 255]
     })
@@ -145,7 +123,7 @@ fn light(colour: Rgb, by: f32) -> Rgb {
 }
 
 /// Speckles of three sizes, light and dark.
-fn asphalt() -> Pixels {
+fn asphalt() -> Painting {
     painted(|x, y| {
         let speckle = |cell: usize, seed: u32, share: f32, by: f32| {
             let (cx, cy) = (x / cell, y / cell);
@@ -159,17 +137,15 @@ fn asphalt() -> Pixels {
 }
 
 /// Brushed along, in plates of two metres with a rivet in each corner.
-fn steel() -> Pixels {
+fn steel() -> Painting {
     painted(|x, y| {
         let plate = SIZE / 2;
         let (px, py) = (x % plate, y % plate);
         let brush = (noise(x / 24, y, 11) - 0.5) * 9.0 + (noise(x / 7, y, 12) - 0.5) * 5.0;
-        let seam = if px == 0 || py == 0 {
-            -26.0
-        } else if px == 1 || py == 1 {
-            14.0
-        } else {
-            0.0
+        let seam = match px.min(py) {
+            0 => -26.0,
+            1 => 14.0,
+            _ => 0.0,
         };
         let near = |p: usize| p.min(plate - p) as f32 - 11.0;
         let (dx, dy) = (near(px), near(py));
@@ -183,7 +159,7 @@ fn steel() -> Pixels {
 }
 
 /// Pale, with slanting glints.
-fn ice() -> Pixels {
+fn ice() -> Painting {
     painted(|x, y| {
         let slant = (x + SIZE - y) % SIZE;
         let glint = match slant % 64 {
@@ -197,7 +173,7 @@ fn ice() -> Pixels {
 }
 
 /// Dark, with chevrons.
-fn rubber() -> Pixels {
+fn rubber() -> Painting {
     painted(|x, y| {
         let fold = (x % 48).abs_diff(24);
         let chevron = if (y + 48 - fold) % 24 < 8 { 15.0 } else { 0.0 };
@@ -206,7 +182,7 @@ fn rubber() -> Pixels {
 }
 
 /// A warm mat with a zigzag of springs.
-fn trampoline() -> Pixels {
+fn trampoline() -> Painting {
     painted(|x, y| {
         let fold = (x % 32).abs_diff(16);
         let spring = if (y + 32 - fold) % 32 < 5 { 46.0 } else { 0.0 };
@@ -215,7 +191,7 @@ fn trampoline() -> Pixels {
 }
 
 /// Planks half a metre high with grain along them, their joints staggered.
-fn wood() -> Pixels {
+fn wood() -> Painting {
     painted(|x, y| {
         let plank = y / 24;
         let (py, joint) = (y % 24, (x + (noise(plank, 0, 41) * SIZE as f32) as usize) % SIZE);
@@ -227,8 +203,8 @@ fn wood() -> Pixels {
 }
 
 /// Thin and bright: mostly clear, with streaks of light; the bright edge is drawn by the world.
-fn glass() -> Pixels {
-    Pixels::of(SIZE, SIZE, |x, y| match (x + y) % 96 {
+fn glass() -> Painting {
+    Painting::of(SIZE, SIZE, |x, y| match (x + y) % 96 {
         0..=11 => [220, 240, 255, 92],
         18..=21 => [220, 240, 255, 72],
         _ => [150, 200, 226, 46],
@@ -242,7 +218,7 @@ mod tests {
 
     #[test]
     fn a_shape_covers_its_inside_and_leaves_a_smooth_edge() {
-        let mut picture = Pixels::new(16, 16, [0; 3]);
+        let mut picture = Painting::new(16, 16, [0; 3]);
         picture.fill(|x, y| x * x + y * y < 0.64, |_, _| [255, 128, 0]);
         assert_eq!(picture.at(8, 8), [255, 128, 0, 255]);
         assert_eq!(picture.at(0, 0)[3], 0);
@@ -251,14 +227,14 @@ mod tests {
 
     #[test]
     fn half_the_size_weighs_colours_by_what_they_cover() {
-        let picture = Pixels::of(2, 2, |x, _| if x == 0 { [200, 0, 0, 255] } else { [0, 90, 0, 0] });
+        let picture = Painting::of(2, 2, |x, _| if x == 0 { [200, 0, 0, 255] } else { [0, 90, 0, 0] });
         assert_eq!(picture.halved().at(0, 0), [200, 0, 0, 128]);
     }
 
     #[test]
     fn a_tiling_gutter_continues_the_pattern() {
-        let tile = Pixels::of(4, 4, |x, _| [x as u8, 0, 0, 255]);
-        let mut sheet = Pixels::new(10, 10, [0; 3]);
+        let tile = Painting::of(4, 4, |x, _| [x as u8, 0, 0, 255]);
+        let mut sheet = Painting::new(10, 10, [0; 3]);
         sheet.place(&tile, (2, 2), 1, true);
         assert_eq!((sheet.at(1, 3)[0], sheet.at(2, 3)[0], sheet.at(5, 3)[0], sheet.at(6, 3)[0]), (3, 0, 3, 0));
         sheet.place(&tile, (2, 2), 1, false);

@@ -17,17 +17,13 @@ static FACES: [LazyLock<Image>; 5] = [
     LazyLock::new(|| face(boulders)),
     LazyLock::new(|| face(craters)),
 ];
-static EARTH: LazyLock<Image> =
+/// Its disc has the radius of half the picture's width over [`AIR`].
+pub static EARTH: LazyLock<Image> =
     LazyLock::new(|| Image::Painted(Arc::new(painted(|x, y| earth([x, y].map(|v| (v - 0.5) * 2.0 * AIR))))));
 
 /// Grey, to be multiplied by the light on the rock.
 pub fn face_of(landscape: Landscape) -> &'static Image {
     &FACES[landscape as usize]
-}
-
-/// Its disc has the radius of half the picture's width over [`AIR`].
-pub fn earth_picture() -> &'static Image {
-    &EARTH
 }
 
 /// `colour` maps a place, 0 … 1 across and down, to straight RGBA of 0 … 1.
@@ -65,8 +61,7 @@ fn cloudy(x: f32, y: f32, cells: usize, seed: u32) -> f32 {
     (0..4).map(|octave| field(x, y, cells << octave, seed + octave) * 0.5_f32.powi(octave as i32 + 1)).sum()
 }
 
-/// Blocks of a wall of `rows` courses, each block `across` of a course wide: distances (m) from a block's left and top edge and to its
-/// right and bottom edge, and a number of the block's own.
+/// A wall of `rows` courses of blocks, each `across` of a course wide: distances (m) to a block's left, top, right and bottom edge; its own number.
 fn course(x: f32, y: f32, rows: usize, across: f32) -> ([f32; 4], f32) {
     let row = (y * rows as f32) as usize;
     let along = (x + if row % 2 == 1 { across / 2.0 } else { 0.0 }).rem_euclid(1.0) / across;

@@ -1,7 +1,5 @@
 //! Draws the overlay from its layout.
-//!
-//! The legend: the scale of the arrows, the meaning of the marks, the boxes and arrows left out, and on demand the parts of the
-//! model.
+//! The legend: the scale of the arrows, the meaning of the marks, the boxes and arrows left out, and on demand the parts of the model.
 
 use super::{Details, Looking, PADDING, PlacedBox};
 use crate::draw::layout::{Area, CORNER, DETAILS, Frame, LINE, MONO_ADVANCE, Vec2, wrapped};

@@ -1,6 +1,5 @@
 //! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a
 //! legend with the arrows' scale. The pointer lights a line and its partner of the third law. This file lays out; `drawing` draws.
-//!
 //! The text of a box, letter by letter: the drawing shows it, and the tests read it.
 
 mod drawing;
@@ -36,7 +35,6 @@ const POINTER: f32 = 20.0;
 pub struct Looking<'a> {
     /// Drawn centres of the bodies, m.
     pub centres: &'a [DVec2],
-    /// The bodies with boxes.
     pub focus: &'a Focus,
     /// Canvas units.
     pub pointer: Option<Vec2>,
@@ -135,15 +133,13 @@ impl Details {
         }
         let Some(followed) = focus.followed.filter(|id| id.index() < game.world().bodies().len()) else { return };
         let causes = facts(game, followed).rows.into_iter().flat_map(|row| row.causes);
-        let bodies: Vec<BodyId> =
-            causes.filter_map(|cause| if let Source::Body(body) = cause { Some(body) } else { None }).collect();
+        let bodies: Vec<_> = causes.filter_map(|cause| if let Source::Body(body) = cause { Some(body) } else { None }).collect();
         if !bodies.is_empty() {
             self.partners.1 = bodies;
         }
     }
 
-    /// The bodies in view with boxes, nearest to the focus first: they choose first; the sort is stable. A followed body brings its
-    /// partners; a ship that plays no part has none, unless it is followed.
+    /// The bodies in view with boxes, nearest to the focus first: they choose first; a followed body brings its partners, an idle ship has none.
     fn shown(&self, game: &Game, looking: &Looking, view: &Viewport) -> Vec<BodyId> {
         let (centres, visible, focus) = (looking.centres, view.visible(), looking.focus);
         let in_play = |id: &BodyId| match focus.followed {
@@ -158,7 +154,6 @@ impl Details {
         shown
     }
 
-    /// Bodies and movers in view.
     fn moving<'a>(game: &'a Game, looking: &'a Looking, view: &'a Viewport) -> impl Iterator<Item = Area> + 'a {
         let bodies = (0..looking.centres.len() as u32).map(|id| bounds(game, looking, BodyId(id)));
         bodies
@@ -188,8 +183,7 @@ impl Details {
         Some((arrow.body, arrow.row))
     }
 
-    /// Lights the pointer's line and its partner. Returns the partners without a box, each made by `subject`, and the places of
-    /// partners that are no bodies, m.
+    /// Lights the pointer's line and its partner. Returns partners without a box, made by `subject`, and the places of those that are no bodies, m.
     fn light(
         &mut self,
         game: &Game,
@@ -228,8 +222,7 @@ impl Details {
     /// at the number of full ones of the frame before, for it seldom changes. The first body always has one, if need be in the place of
     /// the legend, beside what is `firm`.
     fn place_boxes(&mut self, subjects: &[ArrowSubject], frame: &Frame, (taken, firm): (&[Area], &[Area]), kept_clear: &[Area]) {
-        let texts: Vec<[BoxText; 2]> =
-            subjects.iter().map(|subject| [false, true].map(|short| BoxText::new(&subject.facts, short))).collect();
+        let texts: Vec<_> = subjects.iter().map(|subject| [false, true].map(|short| BoxText::new(&subject.facts, short))).collect();
         let sizes: Vec<[Vec2; 2]> = texts.iter().map(|texts| [0, 1].map(|short| texts[short].size(frame))).collect();
         let try_full = |full: usize| {
             let wish = |(i, subject): (usize, &ArrowSubject)| BoxWish {
@@ -263,8 +256,7 @@ impl Details {
             self.legend.area.take_if(|legend| area.is_some_and(|area| area.gap(legend) < 0.0));
             full = usize::from(area.is_some_and(|area| area.size == sizes[0][0]));
             let beside: Vec<Area> = taken.iter().copied().chain(area).collect();
-            let wish =
-                |(subject, sizes): (&ArrowSubject, &[Vec2; 2])| BoxWish { object: subject.object, size: sizes[1], before: None };
+            let wish = |(it, sizes): (&ArrowSubject, &[Vec2; 2])| BoxWish { object: it.object, size: sizes[1], before: None };
             let rest: Vec<BoxWish> = subjects.iter().zip(&sizes).skip(1).map(wish).collect();
             best = [area].into_iter().chain(boxes::place(&rest, frame.area(), &beside, kept_clear)).collect();
         }
@@ -308,9 +300,7 @@ const UNIT_WIDTH: usize = 4;
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoxLine {
-    /// The quantity, and the body that exerts it.
     pub label: String,
-    /// Number and unit.
     pub value: String,
     /// The force or impact, where the line has a colour.
     pub shown: Option<ArrowKind>,
@@ -322,7 +312,6 @@ pub struct BoxLine {
 
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoxText {
-    /// The body of the box.
     pub body: BodyId,
     pub title: String,
     pub lines: Vec<BoxLine>,

@@ -1,15 +1,16 @@
 //! Draws the game: from the ground up, words after the shapes of their layer.
 
 use super::{GameView, Overlays, angle, drawn_centre, ids};
-use crate::draw::layout::Area;
-use crate::draw::{Canvas, Colour};
+use crate::draw::layout::{Area, Frame, Vec2};
+use crate::draw::{Canvas, Colour, Image, Painting, raster};
 use crate::game::{Game, SHIP, object_body};
 use crate::level::{Level, SHIP_HALF};
 use crate::physics::{Aabb, DVec2};
 use crate::view::camera::{CanvasWindow, Viewport};
 use crate::view::emitters::objective_colour;
 use crate::view::things::{Brushes, ShipPose};
-use crate::view::{hitboxes, hud, labels, mechanisms, theme, things, world, zones};
+use crate::view::{art, hitboxes, hud, labels, mechanisms, theme, things, world, zones};
+use std::sync::{Arc, LazyLock};
 
 /// Reach (m) and strength on the rock of the light of the engine, an objective, a death box and a key object.
 const ENGINE_REACH: f64 = 8.0;
@@ -37,6 +38,19 @@ const ROUND: f64 = 0.8;
 
 /// A ghost nearer than this to the ship or to another ghost has no name, m.
 const NAMED_APART: f64 = 2.5;
+
+/// Width and height of a level's painting, pixels.
+const SIZE: [usize; 2] = [384, 216];
+
+static SHEET: LazyLock<Painting> = LazyLock::new(art::sheet);
+
+/// The level at its start as its card shows it, its rooms as large as they fit; `None` where it does not begin.
+pub fn painting(level: &Arc<Level>) -> Option<Image> {
+    let game = Game::new(level.clone()).ok()?;
+    let canvas = Canvas::new(Frame::of_window(Vec2::new(2.0 * SIZE[0] as f32, 2.0 * SIZE[1] as f32)));
+    GameView::new(&game, &|_| None).draw_rooms(&game, &canvas);
+    Some(Image::Painted(Arc::new(raster::paint(&canvas, 2 * SIZE[0], theme::ground(), &SHEET).halved())))
+}
 
 impl GameView {
     /// `figures` is the line beside the hitboxes: frames a second and cost of a tick.
@@ -71,7 +85,7 @@ impl GameView {
     }
 
     /// The rooms as large as they fit, at the start.
-    pub fn draw_rooms(&self, game: &Game, canvas: &Canvas) {
+    fn draw_rooms(&self, game: &Game, canvas: &Canvas) {
         let (level, frame) = (game.level(), canvas.frame());
         let rooms = self.terrain.rooms().unwrap_or(level.bounds());
         let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
@@ -143,7 +157,6 @@ impl GameView {
         }
     }
 
-    /// The ship, or its wreck.
     fn draw_ship(&self, level: &Level, (centre, angle): (DVec2, f64), flicker: f64, (view, canvas): (&Viewport, &Canvas)) {
         if let Some(wreck) = self.wreck.as_ref().filter(|wreck| !wreck.is_whole()) {
             return wreck.draw(view, canvas);
@@ -182,12 +195,8 @@ impl GameView {
             let (sin, cos) = angle(game, alpha).to_radians().sin_cos();
             let flame = drawn_centre(game, SHIP, alpha) + DVec2::new(-sin, cos) * (way * (SHIP_HALF.y + 0.3));
             let light = strength * (0.8 + 0.2 * flicker);
-            self.terrain.draw_moving_light(
-                flame,
-                ENGINE_REACH * light,
-                theme::accent().faded(ENGINE_LIGHT * light as f32),
-                (view, canvas),
-            );
+            let colour = theme::accent().faded(ENGINE_LIGHT * light as f32);
+            self.terrain.draw_moving_light(flame, ENGINE_REACH * light, colour, (view, canvas));
         }
     }
 }

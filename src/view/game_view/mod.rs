@@ -2,14 +2,14 @@
 
 mod drawing;
 
+use super::art::Pictures;
 use super::camera::{Camera, CanvasWindow, FIT_LEAST, FIT_MARGIN, StirredObjects, Viewport};
 use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
 use super::feedback::Feedback;
 use super::focus::Focus;
-use super::hud::{Hud, HudLayout, HudScene, HudShown};
+use super::hud::{Hud, HudLayout, HudPart, HudScene, HudShown};
 use super::particles::{Barriers, Particle, ParticleLook, Particles};
-use super::pictures::Pictures;
 use super::terrain::Terrain;
 use super::textbook::BodyPicture;
 use super::things::{GENTLE, Touchdown, Wreck};
@@ -21,6 +21,7 @@ use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind};
 use crate::settings::Settings;
 use crate::words::tr;
+pub use drawing::painting;
 use drawing::{OBJECTIVE_REACH, OBSTACLE_REACH};
 use std::path::Path;
 
@@ -52,8 +53,8 @@ pub struct GameView {
     details: Details,
     picture: BodyPicture,
     pub hud: Hud,
-    /// Canvas units.
-    pointer: Option<Vec2>,
+    /// For the details, canvas units.
+    pub pointer: Option<Vec2>,
     touchdown: Touchdown,
     stirred: StirredObjects,
     /// From the loss of the ship on.
@@ -70,7 +71,6 @@ pub struct GameView {
 /// A ship of another flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GhostShip {
-    /// Name of the flight.
     pub name: String,
     /// `None` where it is where the ship is.
     pub pose: Option<GhostPose>,
@@ -85,7 +85,6 @@ pub struct Overlays {
     pub details: bool,
     /// The forces on a body alone, in place of the level.
     pub picture: bool,
-    /// The visible parts of the head-up display.
     pub shown: HudShown,
     /// The subject of the details, the instruments and the camera.
     pub focus: Focus,
@@ -93,14 +92,7 @@ pub struct Overlays {
     pub hitboxes: bool,
     /// The flight is a recording: the keys do not fly.
     pub watched: bool,
-    /// The whole level is in view.
     pub map: bool,
-}
-
-impl Overlays {
-    fn followed(&self, game: &Game) -> BodyId {
-        self.focus.followed.unwrap_or(game.lead())
-    }
 }
 
 impl GameView {
@@ -118,7 +110,7 @@ impl GameView {
             terrain,
             camera: Camera::new(game.world().body(game.lead()).position),
             followed: game.lead(),
-            particles: Particles::new(),
+            particles: Particles::default(),
             emitters: Emitters::new(level),
             feedback: Feedback::default(),
             details: Details::default(),
@@ -174,11 +166,8 @@ impl GameView {
                 }
                 GameEvent::Refuelled(index) => {
                     let pod = &game.level().pods[*index];
-                    self.feedback.float(
-                        pod.bounds.centre(),
-                        tr!("+{fuel} fuel", fuel = format_args!("{:.0}", pod.fuel)),
-                        theme::accent(),
-                    );
+                    let words = tr!("+{fuel} fuel", fuel = format_args!("{:.0}", pod.fuel));
+                    self.feedback.float(pod.bounds.centre(), words, theme::accent());
                 }
                 GameEvent::StarTouched(index) => {
                     self.feedback.ring(game.level().stars[*index].bounds.centre(), theme::accent());
@@ -193,8 +182,8 @@ impl GameView {
         }
         self.stirred.after_tick(game);
         let slow = game.world().body(SHIP).velocity.length() < 2.0 * GENTLE;
-        if let Some(landing) = self.touchdown.after_tick(game).filter(|landing| slow && landing.speed < GENTLE) {
-            self.feedback.float(landing.point, tr!("Gentle landing: {speed} m/s", speed = fixed(landing.speed, 1)), theme::good());
+        if let Some((point, speed)) = self.touchdown.after_tick(game).filter(|(_, speed)| slow && *speed < GENTLE) {
+            self.feedback.float(point, tr!("Gentle landing: {speed} m/s", speed = fixed(speed, 1)), theme::good());
         }
     }
 
@@ -214,13 +203,12 @@ impl GameView {
         }
     }
 
-    /// Advances all effects by `frame_time` seconds (0 while paused), and lays the details out. `alpha` (0 … 1) is the frame's
-    /// place between the last tick but one and the last.
+    /// Advances all effects by `frame_time` s (0 while paused), and lays the details out. `alpha` (0 … 1) is the frame's place in the last tick.
     pub fn update(&mut self, game: &Game, alpha: f64, frame_time: f64, overlays: Overlays, frame: &Frame) {
         let ship = drawn_centre(game, SHIP, alpha);
         self.time += frame_time;
         self.solved = if game.outcome() == Outcome::Completed { self.solved + frame_time } else { 0.0 };
-        let followed = overlays.followed(game);
+        let followed = overlays.focus.followed.unwrap_or(game.lead());
         self.followed = followed;
         self.camera.follow(drawn_centre(game, followed, alpha), game.world().body(followed).velocity, frame_time);
         self.turn_camera(game, alpha, &overlays, frame, frame_time);
@@ -248,14 +236,10 @@ impl GameView {
             let room = beside(&covered, shown.status.then(|| HudLayout::shown(frame, game)).into_iter().flatten(), frame);
             self.picture.arrange(game, followed, room, frame);
         } else if overlays.details {
-            covered.extend(self.hud.pointers.iter().map(|pointer| pointer.area).chain(self.hud.stranded()).chain(self.hud.strip()));
-            let looking = Looking {
-                centres: &centres,
-                focus: &overlays.focus,
-                pointer: self.pointer,
-                model: overlays.hitboxes,
-                velocity: overlays.settings.velocity,
-            };
+            let parts = self.hud.stranded().into_iter().chain(self.hud.aside.home(HudPart::Race));
+            covered.extend(self.hud.pointers.iter().map(|pointer| pointer.area).chain(parts));
+            let (focus, model, velocity) = (&overlays.focus, overlays.hitboxes, settings.velocity);
+            let looking = Looking { centres: &centres, focus, pointer: self.pointer, model, velocity };
             self.details.arrange(game, &looking, &covered, &view, frame);
         }
     }
@@ -274,20 +258,17 @@ impl GameView {
 
     /// Drops the effects of another moment: the game has jumped.
     pub fn jump(&mut self, game: &Game) {
-        self.particles = Particles::new();
-        self.feedback = Feedback::default();
-        self.touchdown = Touchdown::default();
-        self.stirred = StirredObjects::default();
+        (self.particles, self.feedback, self.touchdown, self.stirred) = Default::default();
         self.wreck = if game.outcome() == Outcome::Failed { Wreck::new(game, SHIP) } else { None };
     }
 
     /// Only the camera moves, for `frame_time` seconds: bodies at rest may have been moved by hand.
     pub fn follow_jumps(&mut self, game: &Game, overlays: &Overlays, frame: &Frame, frame_time: f64) {
-        let body = game.world().body(overlays.followed(game));
+        let body = game.world().body(overlays.focus.followed.unwrap_or(game.lead()));
         self.camera.follow(body.position, body.velocity, frame_time);
         self.turn_camera(game, 1.0, overlays, frame, frame_time);
         if game.outcome() != Outcome::Completed || overlays.map {
-            self.camera.open_up();
+            self.camera.closeness = 1.0;
         }
     }
 
@@ -303,11 +284,6 @@ impl GameView {
             () => (None, overlays.focus.zoom()),
         };
         self.camera.turn(fit, zoom, frame_time);
-    }
-
-    /// The pointer, canvas units, for the details.
-    pub const fn point_at(&mut self, pointer: Vec2) {
-        self.pointer = Some(pointer);
     }
 
     /// Growth of the engine's plume, 0 … 1.

@@ -1,9 +1,6 @@
-//! The parts of the head-up display step aside for the ship, hazards, goals and keys: a part that would hide one of them fades, and
-//! the fuel bar sinks to a thin line at the window's edge.
-//!
-//! Places of the head-up display's parts.
-//!
-//! Arrows at the window's edge that point to goals and key objects outside the view, each with its sign and the distance.
+//! Places of the head-up display's parts. They step aside for the ship, hazards, goals and keys: a part that would hide one of them fades, and the
+//! fuel bar sinks to a thin line at the window's edge. Arrows at that edge point to goals and key objects outside the view, each with its sign and
+//! the distance.
 
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, TEXT, Vec2};
 use crate::game::{Game, Outcome, SHIP, object_body};
@@ -16,21 +13,15 @@ use crate::view::camera::Viewport;
 pub enum HudPart {
     /// Time, objectives and speed, at the top left.
     Status,
-    /// The fuel bar, at the bottom centre.
+    /// The fuel bar, at the bottom left.
     Fuel,
     /// The strip with the medal and the ghosts of a race, beside the status.
     Race,
 }
 
-impl HudPart {
-    pub const ALL: [Self; 3] = [Self::Status, Self::Fuel, Self::Race];
-}
-
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HudShown {
-    /// Time, objectives and speed.
     pub status: bool,
-    /// The fuel bar.
     pub fuel: bool,
     /// The number of ghosts in the race.
     pub rivals: usize,
@@ -48,7 +39,6 @@ const STRIP: f32 = 4.0;
 #[derive(Clone, Debug, Default)]
 pub struct Aside {
     homes: [Option<Area>; 3],
-    /// Columns of the strip.
     columns: usize,
     shows_medal: bool,
     /// 0 at home … 1 aside.
@@ -56,8 +46,7 @@ pub struct Aside {
 }
 
 impl Aside {
-    /// Advances by `frame_time` seconds, with the drawn places of the ship (its speed in canvas units a second) and of everything
-    /// else that may not be hidden.
+    /// Advances by `frame_time` s, with the drawn places of the ship (its speed in canvas units a second) and of all else that may not be hidden.
     pub fn update(&mut self, shown: HudShown, (ship, speed): (Area, f32), others: &[Area], frame: &Frame, frame_time: f64) {
         let layout = HudLayout::new(frame);
         self.shows_medal = shown.medal;
@@ -122,22 +111,15 @@ const RACE_COLUMN: f32 = 6.6;
 /// Nothing else should cover these places.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HudLayout {
-    /// Timer and objectives, at the top left.
     pub status: Area,
-    /// The fuel bar, at the bottom left.
     pub fuel: Area,
 }
 
 impl HudLayout {
     pub fn new(frame: &Frame) -> Self {
-        let bar = frame.size * BAR;
+        let (bar, text) = (frame.size * BAR, frame.text_height(TEXT));
         Self {
-            status: Area::new(
-                2.0 * GRID,
-                2.0 * GRID,
-                15.2 * frame.text_height(TEXT),
-                STATUS_HEIGHT.max(frame.text_height(TEXT) * 3.2),
-            ),
+            status: Area::new(2.0 * GRID, 2.0 * GRID, 15.2 * text, STATUS_HEIGHT.max(text * 3.2)),
             fuel: Area::new(2.0 * GRID, frame.size.y - bar.y - 2.0 * GRID, bar.x, bar.y),
         }
     }
@@ -174,7 +156,6 @@ const MOST: usize = 3;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PointerTarget {
-    /// Index of the objective.
     Objective(usize),
     /// Index of the key object in the level's objects.
     Key(usize),
@@ -184,7 +165,6 @@ pub enum PointerTarget {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pointer {
     pub target: PointerTarget,
-    /// The distance, in words.
     pub words: String,
     /// All of it, with room for its head in any direction.
     pub area: Area,
@@ -213,8 +193,7 @@ pub fn targets(game: &Game, centres: &[DVec2]) -> Vec<(PointerTarget, Aabb)> {
         let (body, fits) = (object_body(index), |goal: &usize| level.objectives[*goal].fits(key));
         let touches = |goal: usize| game.world().body(body).bounds().touches(&level.objectives[goal].bounds, 0.0);
         let wanted = physics().filter(fits).any(|goal| !game.met()[goal]);
-        let at_work =
-            physics().filter(fits).any(|goal| game.met()[goal] && level.objectives[goal].order.is_none() && touches(goal));
+        let at_work = physics().filter(fits).any(|i| game.met()[i] && level.objectives[i].order.is_none() && touches(i));
         (wanted && !at_work).then(|| (PointerTarget::Key(index), Aabb::around(centres[body.index()], object.size * 0.5)))
     });
     goals.chain(keys).collect()
@@ -226,8 +205,7 @@ pub fn in_view(area: &Area, frame: &Frame) -> bool {
     seen.cmpge((area.size / 2.0).min(Vec2::splat(LEAST_SEEN))).all()
 }
 
-/// The arrows, the nearest target's first: inside the window, over nothing in `taken`, over no other, and, where there is room,
-/// over nothing in `clear`.
+/// The arrows, the nearest target's first: in the window, over no other, over nothing in `taken` and, where there is room, in `clear`.
 pub fn place(game: &Game, centres: &[DVec2], taken: &[Area], clear: &[Area], view: &Viewport, frame: &Frame) -> Vec<Pointer> {
     let ship = centres[SHIP.index()];
     let outside = |(_, bounds): &(PointerTarget, Aabb)| !in_view(&view.exact(bounds), frame);
@@ -292,7 +270,7 @@ mod tests {
         let (mut aside, frame) = (Aside::default(), Frame::default());
         let far = Area::around(frame.size / 2.0, Vec2::splat(51.0));
         aside.update(SHOWN, (far, 0.0), &[], &frame, 1.0);
-        assert_eq!(HudPart::ALL.map(|part| aside.of(part)), [0.0; 3]);
+        assert_eq!(aside.parts, [0.0; 3]);
         let bar = aside.home(HudPart::Fuel).expect("it is shown");
         let above = Area::around(bar.centre() - Vec2::new(0.0, 70.0), Vec2::splat(51.0));
         aside.update(SHOWN, (above, 0.0), &[], &frame, 0.05);
@@ -316,7 +294,7 @@ mod tests {
         let far = Area::around(frame.size / 2.0, Vec2::splat(51.0));
         let goal = Area::new(100.0, 20.0, 200.0, 30.0);
         aside.update(SHOWN, (far, 0.0), &[goal], &frame, 0.0);
-        assert_eq!(HudPart::ALL.map(|part| aside.of(part)), [1.0, 0.0, 1.0]);
+        assert_eq!(aside.parts, [1.0, 0.0, 1.0]);
     }
 
     #[test]

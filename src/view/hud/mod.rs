@@ -53,7 +53,6 @@ pub struct HudScene<'a> {
     pub frame: &'a Frame,
     /// The panels on the screen besides the display.
     pub panels: &'a [Area],
-    /// The visible parts.
     pub shown: HudShown,
     pub settings: &'a Settings,
 }
@@ -85,11 +84,6 @@ impl Hud {
             let clear: Vec<Area> = others.into_iter().chain(objects).filter(|area| area.gap(&frame.area()) < 0.0).collect();
             self.pointers = aside::place(game, scene.centres, &taken, &clear, view, frame);
         }
-    }
-
-    /// The strip of medal and rivals beside the timer.
-    pub fn strip(&self) -> Option<Area> {
-        self.aside.home(HudPart::Race)
     }
 
     /// The panel with advice without fuel, while it is there.
@@ -157,8 +151,7 @@ fn stranded(scene: &HudScene, ship: Area, others: &[Area]) -> (String, Area) {
     (words, *area)
 }
 
-/// An arrow at the window's edge: head, the target's sign and the distance. A goal's sign is a box, with the ship's picture or a
-/// diamond in it; a key's is the key with its diamond.
+/// An arrow at the window's edge: head, sign and distance. A goal's sign is a box with the ship or a diamond in it; a key's is the key itself.
 fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
     let level = game.level();
     let panel = pointer.panel();
@@ -168,8 +161,7 @@ fn draw_pointer(pointer: &Pointer, game: &Game, canvas: &Canvas) {
         PointerTarget::Objective(index) => objective_colour(game, index),
         PointerTarget::Key(index) => key_colour(level.objects[index].key),
     };
-    // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, or its tip would be a
-    // corner.
+    // The head stands on the box's edge, where the line from the middle to the target leaves it: slim, or its tip would be a corner.
     let reach = panel.stretch(panel.centre(), pointer.along, panel.size.length()).map_or(0.0, |(_, leaves)| leaves);
     let (tip, across) = (panel.centre() + pointer.along * (reach + aside::HEAD), pointer.along.perp() * (0.4 * aside::HEAD));
     let root = tip - pointer.along * (1.5 * aside::HEAD);
@@ -272,7 +264,6 @@ fn draw_speed(game: &Game, area: Area, strong: f32, canvas: &Canvas) {
     canvas.rectangle(Area::new(mark - 1.0, y - height, 2.0, 2.0 * height), theme::bad().faded(strong));
 }
 
-/// Red where a hit would damage.
 fn speed_colour(speed: f64) -> Colour {
     if speed >= DAMAGING_SPEED { theme::bad() } else { theme::text() }
 }
@@ -312,7 +303,7 @@ pub fn draw_fuel_ring(game: &Game, centre: DVec2, view: &Viewport, canvas: &Canv
 /// The bar at `area`; at `aside` (0 … 1) it becomes a line without words.
 fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     let (at, size) = (area.min, area.size);
-    canvas.rectangle(Area::new(at.x, at.y, size.x, size.y), theme::panel().faded(HIDES));
+    canvas.rectangle(area, theme::panel().faded(HIDES));
     canvas.rectangle(Area::new(at.x, at.y, size.x * share, size.y), fuel_colour(share));
     // Dark words on the bright bar; light ones where the bar has ended.
     let style = Style::new(DETAILS, theme::ground()).mono().middle();
@@ -328,7 +319,7 @@ fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
             canvas.rectangle(Area::new(x - 1.0, at.y, 2.0, size.y), theme::ground().faded(0.6));
         }
     }
-    canvas.rectangle_edge(Area::new(at.x, at.y, size.x, size.y), 2.0 * (1.0 - aside), theme::panel_edge().faded(1.0 - aside));
+    canvas.rectangle_edge(area, 2.0 * (1.0 - aside), theme::panel_edge().faded(1.0 - aside));
     let style = Style { colour: colour.faded((1.0 - 2.0 * aside).max(0.0)), ..style };
     // What large words leave no room for is left out, key by key.
     let fits = |words: &str| canvas.width(words, style) <= canvas.size().x - x - GRID;
@@ -337,7 +328,6 @@ fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     canvas.text(shown, Vec2::new(x, area.centre().y), style);
 }
 
-/// From yellow-orange when full to red when empty.
 fn fuel_colour(share: f32) -> Colour {
     FUEL_EMPTY.mixed(FUEL_FULL, share.clamp(0.0, 1.0))
 }

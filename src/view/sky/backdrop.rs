@@ -50,10 +50,8 @@ impl Backdrop<'_> {
             // Colours run evenly over a triangle: where it is cut, no seam shows.
             for i in 1..corners.len() - 1 {
                 let mut part = vec![corners[0], corners[i], corners[i + 1]];
-                for (axis, way, limit) in
-                    [(0, 1.0, area.min.x), (0, -1.0, area.max().x), (1, 1.0, area.min.y), (1, -1.0, area.max().y)]
-                {
-                    part = beyond(&part, axis, way, limit);
+                for axis in 0..2 {
+                    part = beyond(&beyond(&part, axis, 1.0, area.min[axis]), axis, -1.0, area.max()[axis]);
                 }
                 if part.len() > 2 {
                     self.add(&part);
@@ -87,13 +85,9 @@ impl Backdrop<'_> {
     /// A soft light, cut to the air.
     pub(super) fn light(&mut self, centre: Vec2, radius: f32, colour: Colour) {
         let (all, place) = (Area::around(centre, Vec2::splat(2.0 * radius)), art::place(Tile::Glow));
-        for area in self.air {
-            let (min, max) = (all.min.max(area.min), all.max().min(area.max()));
-            if min.cmplt(max).all() {
-                let shown = Area { min, size: max - min };
-                let part = |at: Vec2| place.min + (at - all.min) / all.size * place.size;
-                self.sprites.push((Quad { corners: shown.corners(), colours: [colour; 4] }, shown.corners().map(part)));
-            }
+        for area in in_air(self.air, all) {
+            let part = |at: Vec2| place.min + (at - all.min) / all.size * place.size;
+            self.sprites.push((Quad { corners: area.corners(), colours: [colour; 4] }, area.corners().map(part)));
         }
     }
 
@@ -129,8 +123,7 @@ impl Backdrop<'_> {
         self.floor - self.size.y * above - self.climb * PARALLAX[layer]
     }
 
-    /// A layer from its top, a height by the number of a step, down to the canvas' foot: it grows darker by `fog`'s colour; its top
-    /// has a line of light.
+    /// A layer from its top, a height by the number of a step, down to the canvas' foot, darker by `fog`'s colour; its top has a line of light.
     pub(super) fn ridge(
         &mut self,
         layer: usize,
@@ -149,17 +142,14 @@ impl Backdrop<'_> {
                 // It fades away from the light's side.
                 let strength = |x: f32| {
                     let share = (x / self.size.x).clamp(0.0, 1.0) as f64;
-                    let near = if self.palette.light.x < 0.0 {
-                        1.0 - share
-                    } else if self.palette.light.x > 0.0 {
-                        share
-                    } else {
-                        0.6
+                    let near = match self.palette.light.x {
+                        x if x < 0.0 => 1.0 - share,
+                        x if x > 0.0 => share,
+                        _ => 0.6,
                     };
                     colour.faded((0.15 + 0.65 * near) as f32)
                 };
-                let ends = [strength(a.x), strength(b.x)];
-                self.line(a, b, 1.5, ends);
+                self.line(a, b, 1.5, [strength(a.x), strength(b.x)]);
             }
         }
     }
@@ -187,7 +177,6 @@ impl Backdrop<'_> {
         self.fill(&points);
     }
 
-    /// A mast of two legs with braces.
     pub(super) fn lattice(&mut self, foot: Vec2, height: f32, width: f32, colour: Colour) {
         let at = |side: f32, up: f32| foot + Vec2::new(side * width / 2.0, -up);
         for side in [-1.0, 1.0] {
@@ -222,6 +211,12 @@ impl Backdrop<'_> {
             }
         }
     }
+}
+
+/// The parts of a box in the air.
+pub(super) fn in_air(air: &[Area], all: Area) -> impl Iterator<Item = Area> {
+    let ends = air.iter().map(move |area| (all.min.max(area.min), all.max().min(area.max())));
+    ends.filter(|(min, max)| min.cmplt(*max).all()).map(|(min, max)| Area { min, size: max - min })
 }
 
 /// The part of a convex outline on one side of a line along an axis.

@@ -1,9 +1,7 @@
 //! The sky of a world of levels: a sky with its glows, three layers that move with the camera, small lights, and weather. All of it
 //! is drawn by code, in canvas units, in the air alone; plain palettes leave it out.
 
-use super::camera::Viewport;
-use super::terrain::drafting::chance;
-use super::theme;
+use super::{camera::Viewport, terrain::chance, theme};
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour, Quads};
 use crate::level::Landscape;
@@ -34,66 +32,68 @@ const fn tone(share: f32, hex: u32) -> (f32, Colour) {
     (share, Colour::hex(hex))
 }
 
-const LAUNCH: WorldPalette = WorldPalette {
-    sky: &[tone(0.0, 0x040817), tone(0.35, 0x0A1536), tone(0.72, 0x1B2F62), tone(0.92, 0x33457C), tone(1.0, 0x4A4F7E)],
-    layers: [Colour::hex(0x16244F), Colour::hex(0x15224E), Colour::hex(0x0E1838)],
-    ink: Colour::hex(0x9DB4E0),
-    rock: [Colour::hex(0x435480), Colour::hex(0x090D1C)],
-    rim: Colour::hex(0xFFE3B0),
-    light: DVec2::NEG_Y,
-};
-const QUARRY: WorldPalette = WorldPalette {
-    sky: &[tone(0.0, 0x170D2B), tone(0.30, 0x35173B), tone(0.58, 0x62283F), tone(0.82, 0x803A3A), tone(1.0, 0x944838)],
-    layers: [Colour::hex(0x7A3A3C), Colour::hex(0x54242E), Colour::hex(0x2E131E)],
-    ink: Colour::hex(0xE0B98A),
-    rock: [Colour::hex(0x7A4A2E), Colour::hex(0x12090A)],
-    rim: Colour::hex(0xFFB45E),
-    light: DVec2::new(-0.8, -0.6),
-};
-const WIND: WorldPalette = WorldPalette {
-    sky: &[tone(0.0, 0x041A24), tone(0.35, 0x0C3A4A), tone(0.66, 0x215864), tone(0.86, 0x56735F), tone(1.0, 0x857A4C)],
-    layers: [Colour::hex(0x5E6B50), Colour::hex(0x46524A), Colour::hex(0x16343A)],
-    ink: Colour::hex(0xD2BC7C),
-    rock: [Colour::hex(0x5E5136), Colour::hex(0x0D0B08)],
-    rim: Colour::hex(0xFFDF8A),
-    light: DVec2::new(0.6, -0.8),
-};
-const WATER: WorldPalette = WorldPalette {
-    sky: &[tone(0.0, 0x2C6A50), tone(0.14, 0x184A38), tone(0.36, 0x0E382A), tone(0.62, 0x0A3828), tone(1.0, 0x042018)],
-    layers: [Colour::hex(0x20664A), Colour::hex(0x144C36), Colour::hex(0x176142)],
-    ink: Colour::hex(0x86C9AB),
-    rock: [Colour::hex(0x2F5E4C), Colour::hex(0x04100E)],
-    rim: Colour::hex(0xC8FFE6),
-    light: DVec2::NEG_Y,
-};
-const ORBIT: WorldPalette = WorldPalette {
-    sky: &[tone(0.0, 0x010208), tone(0.5, 0x04060F), tone(1.0, 0x070B18)],
-    layers: [Colour::hex(0x2B3A6E), Colour::hex(0x3A3566), Colour::hex(0x24406A)],
-    ink: Colour::hex(0xB3B9CC),
-    rock: [Colour::hex(0x57524C), Colour::hex(0x0D0C0B)],
-    rim: Colour::hex(0xA9D6FF),
-    light: DVec2::new(-0.6, 0.8),
-};
-
 impl WorldPalette {
     pub const fn of(landscape: Landscape) -> Self {
         match landscape {
-            Landscape::Launch => LAUNCH,
-            Landscape::Quarry => QUARRY,
-            Landscape::Wind => WIND,
-            Landscape::Water => WATER,
-            Landscape::Orbit => ORBIT,
+            Landscape::Launch => Self {
+                sky: const {
+                    &[tone(0.0, 0x040817), tone(0.35, 0x0A1536), tone(0.72, 0x1B2F62), tone(0.92, 0x33457C), tone(1.0, 0x4A4F7E)]
+                },
+                layers: [Colour::hex(0x16244F), Colour::hex(0x15224E), Colour::hex(0x0E1838)],
+                ink: Colour::hex(0x9DB4E0),
+                rock: [Colour::hex(0x435480), Colour::hex(0x090D1C)],
+                rim: Colour::hex(0xFFE3B0),
+                light: DVec2::NEG_Y,
+            },
+            Landscape::Quarry => Self {
+                sky: const {
+                    &[tone(0.0, 0x170D2B), tone(0.30, 0x35173B), tone(0.58, 0x62283F), tone(0.82, 0x803A3A), tone(1.0, 0x944838)]
+                },
+                layers: [Colour::hex(0x7A3A3C), Colour::hex(0x54242E), Colour::hex(0x2E131E)],
+                ink: Colour::hex(0xE0B98A),
+                rock: [Colour::hex(0x7A4A2E), Colour::hex(0x12090A)],
+                rim: Colour::hex(0xFFB45E),
+                light: DVec2::new(-0.8, -0.6),
+            },
+            Landscape::Wind => Self {
+                sky: const {
+                    &[tone(0.0, 0x041A24), tone(0.35, 0x0C3A4A), tone(0.66, 0x215864), tone(0.86, 0x56735F), tone(1.0, 0x857A4C)]
+                },
+                layers: [Colour::hex(0x5E6B50), Colour::hex(0x46524A), Colour::hex(0x16343A)],
+                ink: Colour::hex(0xD2BC7C),
+                rock: [Colour::hex(0x5E5136), Colour::hex(0x0D0B08)],
+                rim: Colour::hex(0xFFDF8A),
+                light: DVec2::new(0.6, -0.8),
+            },
+            Landscape::Water => Self {
+                sky: const {
+                    &[tone(0.0, 0x2C6A50), tone(0.14, 0x184A38), tone(0.36, 0x0E382A), tone(0.62, 0x0A3828), tone(1.0, 0x042018)]
+                },
+                layers: [Colour::hex(0x20664A), Colour::hex(0x144C36), Colour::hex(0x176142)],
+                ink: Colour::hex(0x86C9AB),
+                rock: [Colour::hex(0x2F5E4C), Colour::hex(0x04100E)],
+                rim: Colour::hex(0xC8FFE6),
+                light: DVec2::NEG_Y,
+            },
+            Landscape::Orbit => Self {
+                sky: const { &[tone(0.0, 0x010208), tone(0.5, 0x04060F), tone(1.0, 0x070B18)] },
+                layers: [Colour::hex(0x2B3A6E), Colour::hex(0x3A3566), Colour::hex(0x24406A)],
+                ink: Colour::hex(0xB3B9CC),
+                rock: [Colour::hex(0x57524C), Colour::hex(0x0D0C0B)],
+                rim: Colour::hex(0xA9D6FF),
+                light: DVec2::new(-0.6, 0.8),
+            },
         }
     }
 
     /// The two worlds between which a height lies where five lie one above the other, and how far it is from the first to the second. The
     /// `share` is that of the level's height, from its top.
     pub fn storeys(share: f64) -> (Self, Self, f32) {
-        const ALL: [WorldPalette; 5] = [ORBIT, LAUNCH, WIND, QUARRY, WATER];
+        const ALL: [Landscape; 5] = [Landscape::Orbit, Landscape::Launch, Landscape::Wind, Landscape::Quarry, Landscape::Water];
         let at = (share * ALL.len() as f64 - 0.5).clamp(0.0, ALL.len() as f64 - 1.0);
         let above = (at as usize).min(ALL.len() - 2);
         let t = (at - above as f64) as f32;
-        (ALL[above], ALL[above + 1], t * t * (3.0 - 2.0 * t))
+        (Self::of(ALL[above]), Self::of(ALL[above + 1]), t * t * (3.0 - 2.0 * t))
     }
 
     /// The sky at a share (0 … 1) of the way down, without its glows.
@@ -152,7 +152,7 @@ pub fn draw(
         let colour = |at: Vec2| {
             let share = f64::from(at.y - origin.y) / f64::from(view.length(level));
             let (above, below, t) = WorldPalette::storeys(share);
-            let opaque = if above == ORBIT { t } else { 1.0 };
+            let opaque = if above == WorldPalette::of(Landscape::Orbit) { t } else { 1.0 };
             above.sky_at(STOREY_TONE).mixed(below.sky_at(STOREY_TONE), t).faded(opaque)
         };
         sky.sky(|at, _| colour(at));

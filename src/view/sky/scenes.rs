@@ -1,6 +1,6 @@
 //! What stands in the sky of each world.
 
-use super::backdrop::Backdrop;
+use super::backdrop::{Backdrop, in_air};
 use super::{LAMP, glow, random, rolling};
 use crate::draw::Colour;
 use crate::draw::layout::{Area, Vec2};
@@ -22,12 +22,8 @@ impl Backdrop<'_> {
         self.dots((120, Vec2::ZERO, 0), (0.7, self.palette.ink.faded(0.95)));
         self.flush();
         let base = self.ground(0, 0.10);
-        self.ridge(
-            0,
-            (44.0, |i| base - 34.0 * rolling(i as f32 * 0.3, 20) - 12.0 * rolling(i as f32, 21)),
-            (self.palette.sky[3].1, 0.30),
-            Some(self.palette.ink.faded(0.35)),
-        );
+        let hills = |i: i64| base - 34.0 * rolling(i as f32 * 0.3, 20) - 12.0 * rolling(i as f32, 21);
+        self.ridge(0, (44.0, hills), (self.palette.sky[3].1, 0.30), Some(self.palette.ink.faded(0.35)));
         self.haze(base + 40.0, 46.0, self.palette.sky[4].1.faded(0.36));
         let (base, steel) = (self.ground(1, 0.035), Colour::hex(0x2A3D78));
         for (i, x) in self.across(1, 430.0, 200.0) {
@@ -59,7 +55,6 @@ impl Backdrop<'_> {
         self.ridge(2, (70.0, |i| base - 9.0 * rolling(i as f32 * 0.5, 23)), (Colour::hex(0x060A18), 0.6), None);
     }
 
-    /// A rocket on its pad, lit from the right.
     fn rocket(&mut self, foot: Vec2, height: f32) {
         let (dark, lit) = (self.palette.layers[1], Colour::hex(0x5468A4));
         for (offset, half, low, tall) in [(-20.0, 5.0, 0.0, 0.56), (20.0, 5.0, 0.0, 0.56), (0.0, 10.0, 0.0, 0.84)] {
@@ -70,15 +65,8 @@ impl Backdrop<'_> {
                     let [low, high] = [step, step + 1].map(|step| step as f32 / 5.0);
                     let wide = |part: f32| (1.0 - part * part).max(0.0);
                     let up = |part: f32| tall + part * half * 0.022;
-                    self.quad(
-                        [
-                            at(from * wide(low), up(low)),
-                            at(to * wide(low), up(low)),
-                            at(to * wide(high), up(high)),
-                            at(from * wide(high), up(high)),
-                        ],
-                        [a, b, b, a],
-                    );
+                    let corners = [(from, low), (to, low), (to, high), (from, high)];
+                    self.quad(corners.map(|(side, part)| at(side * wide(part), up(part))), [a, b, b, a]);
                 }
             }
         }
@@ -117,12 +105,8 @@ impl Backdrop<'_> {
             self.lattice(Vec2::new(x + 60.0, foot), height, 10.0, iron);
             let [a, b] = [Vec2::new(x - 10.0, foot - height + 14.0), Vec2::new(x + 190.0, foot - height - 22.0)];
             self.line(a, b, 3.0, [iron; 2]);
-            self.line(
-                b + Vec2::new(-40.0, 8.0),
-                b + Vec2::new(-40.0, 66.0 + 8.0 * (self.time * 0.3 + i as f32).sin()),
-                1.2,
-                [iron; 2],
-            );
+            let hook = 66.0 + 8.0 * (self.time * 0.3 + i as f32).sin();
+            self.line(b + Vec2::new(-40.0, 8.0), b + Vec2::new(-40.0, hook), 1.2, [iron; 2]);
         }
         let base = self.ground(1, 0.035);
         self.terrace(1, (base, 46.0, 190.0), (self.palette.layers[2], 0.6), amber.faded(0.55));
@@ -132,7 +116,6 @@ impl Backdrop<'_> {
         self.dots((60, Vec2::new(9.0, -3.0), 2), (1.0, gold.faded(0.45)));
     }
 
-    /// A soft bar, thinner at its ends.
     fn streak(&mut self, centre: Vec2, reach: Vec2, colour: Colour) {
         let clear = colour.faded(0.0);
         for way in [Vec2::new(-1.0, -1.0), Vec2::new(1.0, -1.0), Vec2::ONE, Vec2::new(-1.0, 1.0)] {
@@ -141,7 +124,6 @@ impl Backdrop<'_> {
         }
     }
 
-    /// Steps of different heights with slanting faces.
     fn terrace(&mut self, layer: usize, (base, rise, wide): (f32, f32, f32), fog: (Colour, f32), light: Colour) {
         let step = wide / 5.0;
         let height = move |i: i64| {
@@ -166,33 +148,23 @@ impl Backdrop<'_> {
         for (i, x) in self.across(0, 260.0, 200.0) {
             self.mill(Vec2::new(x, base + 10.0), 120.0 + 50.0 * random(i, 10), i);
         }
-        self.ridge(
-            0,
-            (48.0, |i| base - 22.0 * rolling(i as f32 * 0.35, 50) - 5.0 * rolling(i as f32, 51)),
-            (self.palette.sky[4].1, 0.35),
-            Some(warm.faded(0.4)),
-        );
+        let hills = |i: i64| base - 22.0 * rolling(i as f32 * 0.35, 50) - 5.0 * rolling(i as f32, 51);
+        self.ridge(0, (48.0, hills), (self.palette.sky[4].1, 0.35), Some(warm.faded(0.4)));
         self.haze(base + 30.0, 50.0, self.palette.sky[4].1.faded(0.34));
         for (i, x) in self.across(1, 330.0, 220.0) {
             let radius = 62.0 + 88.0 * random(i, 11);
-            let (hub, pace) =
-                (Vec2::new(x, self.ground(1, -0.04) - radius * (1.0 + 0.9 * random(i, 12))), 0.10 + 0.12 * random(i, 13));
-            self.wheel(hub, radius, pace * if i.rem_euclid(2) == 0 { 1.0 } else { -1.0 });
+            let hub = Vec2::new(x, self.ground(1, -0.04) - radius * (1.0 + 0.9 * random(i, 12)));
+            self.wheel(hub, radius, (0.10 + 0.12 * random(i, 13)) * if i.rem_euclid(2) == 0 { 1.0 } else { -1.0 });
         }
         let base = self.ground(2, -0.05);
-        self.ridge(
-            2,
-            (34.0, |i| base - 46.0 * rolling(i as f32 * 0.22, 52).max(-0.2) - 7.0 * random(i, 53)),
-            (Colour::hex(0x06161C), 0.7),
-            Some(warm.faded(0.22)),
-        );
+        let cliffs = |i: i64| base - 46.0 * rolling(i as f32 * 0.22, 52).max(-0.2) - 7.0 * random(i, 53);
+        self.ridge(2, (34.0, cliffs), (Colour::hex(0x06161C), 0.7), Some(warm.faded(0.22)));
         for (at, size, glimmer) in self.specks(22, Vec2::new(150.0, 0.0), 2) {
             let streak = self.palette.ink.faded(0.20 * glimmer);
             self.line(at - Vec2::new(40.0 + 90.0 * size, 0.0), at, 1.5, [streak.faded(0.0), streak]);
         }
     }
 
-    /// A tower with four sails that turn.
     fn mill(&mut self, foot: Vec2, height: f32, i: i64) {
         let fog = self.palette.sky_at((foot.y - height * 0.5) / self.size.y);
         let [body, sail] = [0.30, 0.45].map(|share| fog.mixed(Colour::hex(0xA48F58), share));
@@ -204,10 +176,8 @@ impl Backdrop<'_> {
             let way = Vec2::from_angle(f32::from(blade) * PI / 2.0 + self.time * 0.35 + i as f32);
             let (side, long) = (way.perp() * 11.0, height * 0.62);
             self.line(hub, hub + way * long, 2.0, [dark, body]);
-            self.quad(
-                [hub + way * 14.0, hub + way * long, hub + way * long + side, hub + way * 14.0 + side],
-                [dark, sail, sail, body],
-            );
+            let (root, tip) = (hub + way * 14.0, hub + way * long);
+            self.quad([root, tip, tip + side, root + side], [dark, sail, sail, body]);
         }
     }
 
@@ -221,10 +191,8 @@ impl Backdrop<'_> {
         let turned = |wheel: &Self, part: f32| Vec2::from_angle(part / teeth as f32 * TAU + wheel.time * pace);
         let ring = |wheel: &mut Self, from: f32, to: f32, (inner, outer): (f32, f32)| {
             let [a, b] = [turned(wheel, from), turned(wheel, to)];
-            wheel.quad(
-                [a * inner, b * inner, b * outer, a * outer].map(|way| hub + way * radius),
-                [lit(-a), lit(-b), lit(b), lit(a)],
-            );
+            let corners = [a * inner, b * inner, b * outer, a * outer].map(|way| hub + way * radius);
+            wheel.quad(corners, [lit(-a), lit(-b), lit(b), lit(a)]);
         };
         for tooth in 0..teeth {
             let at = tooth as f32;
@@ -254,28 +222,19 @@ impl Backdrop<'_> {
         }
         let (fog, deep) = (Colour::hex(0x0E4836), self.palette.sky[4].1);
         let base = self.ground(0, 0.13);
-        self.ridge(
-            0,
-            (30.0, |i| base - 74.0 * rolling(i as f32 * 0.16, 60).max(-0.4) - 9.0 * rolling(i as f32 * 0.7, 61)),
-            (fog, 0.75),
-            None,
-        );
+        let mounds = |i: i64| base - 74.0 * rolling(i as f32 * 0.16, 60).max(-0.4) - 9.0 * rolling(i as f32 * 0.7, 61);
+        self.ridge(0, (30.0, mounds), (fog, 0.75), None);
         self.weeds(1, 0.34, Colour::hex(0x0F4A3C).mixed(fog, 0.25));
         self.haze(base + 60.0, 80.0, fog.faded(0.42));
         let base = self.ground(1, 0.03);
-        self.ridge(
-            1,
-            (30.0, |i| base - 60.0 * rolling(i as f32 * 0.13, 62).max(-0.3) - 8.0 * rolling(i as f32 * 0.6, 63)),
-            (deep, 0.6),
-            None,
-        );
+        let mounds = |i: i64| base - 60.0 * rolling(i as f32 * 0.13, 62).max(-0.3) - 8.0 * rolling(i as f32 * 0.6, 63);
+        self.ridge(1, (30.0, mounds), (deep, 0.6), None);
         self.weeds(2, 0.42, self.palette.layers[2]);
         let foot = self.ground(2, 0.0);
         self.haze(foot, 120.0, deep.faded(0.6));
         self.dots((36, Vec2::new(0.0, -26.0), 2), (1.3, light.faded(0.24)));
     }
 
-    /// Clumps of weed from the canvas' foot up.
     fn weeds(&mut self, layer: usize, tallest: f32, colour: Colour) {
         for (i, x) in self.across(layer, 118.0, 60.0).filter(|(i, _)| random(*i, 17) > 0.2) {
             for blade in 0..3_i64 {
@@ -333,12 +292,9 @@ impl Backdrop<'_> {
         self.flush();
         let middle = Vec2::new(size.x * 0.41, size.y * 0.48) - shift;
         let all = Area::around(middle, Vec2::splat(2.0 * EARTH * art::rock::AIR));
-        for area in self.air {
-            let (min, max) = (all.min.max(area.min), all.max().min(area.max()));
-            if min.cmplt(max).all() {
-                let part = Area { min: (min - all.min) / all.size, size: (max - min) / all.size };
-                self.canvas.picture(art::rock::earth_picture(), part, Area { min, size: max - min }, (0.0, Colour::WHITE));
-            }
+        for area in in_air(self.air, all) {
+            let part = Area { min: (area.min - all.min) / all.size, size: area.size / all.size };
+            self.canvas.picture(&art::rock::EARTH, part, area, (0.0, Colour::WHITE));
         }
     }
 }

@@ -1,18 +1,14 @@
 //! Draws the terrain: the mass, its materials, the drafting, its edge, and the light on it.
 
-use super::drafting::{self, Dimension, HatchStroke};
-use super::light::{Lit, cast};
-use super::rock::RockMesh;
+use super::light::{Lit, RockMesh, cast};
 use super::silhouette::{Corner, RockEdge, Silhouette};
-use super::{RIM, ROCK, Tint, kind, mass, parts};
+use super::{Dimension, RIM, ROCK, Tint, dimensions, frame, hatching, kind, mass};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::level::{Landscape, Level, SHIP_HALF};
 use crate::physics::{Aabb, DVec2, Material};
-use crate::view::art::rock::face_of;
-use crate::view::art::{self, Tile};
-use crate::view::camera::Viewport;
-use crate::view::{sky, theme};
+use crate::view::art::{self, Tile, rock::face_of};
+use crate::view::{camera::Viewport, sky, theme};
 
 /// Opacity of rock over an author's picture; materials are more opaque, so that they stay distinct.
 const ROCK_OVER_PICTURE: f32 = 0.45;
@@ -33,19 +29,15 @@ const CONE_LIGHT: f32 = 0.26;
 /// The most fixed lights, whose light is computed once.
 const MOST_LAMPS: usize = 1000;
 
-/// The box and the reach (m) of a fixed light.
-pub type Lamp = (Aabb, f64);
-
 pub struct Terrain {
-    mass: Silhouette,
+    pub(in crate::view) mass: Silhouette,
     /// The edges of each kind but plain rock.
     seams: Vec<RockEdge>,
-    strokes: Vec<HatchStroke>,
+    strokes: Vec<(DVec2, DVec2)>,
     dimensions: Vec<(Dimension, String)>,
     pub tint: Tint,
     /// Boxes that cast shadows.
     opaque: Vec<Aabb>,
-    /// The light of each lamp.
     lit: Vec<Vec<Lit>>,
     over_picture: bool,
     /// The boxes without solid ground, or with glass alone, m.
@@ -57,24 +49,25 @@ pub struct Terrain {
 
 impl Terrain {
     /// `lamps` are the boxes that glow all the time, each with its reach (m); `texts` are the areas of words.
-    pub fn new(level: &Level, lamps: impl Iterator<Item = Lamp>, texts: &[Aabb], over_picture: bool) -> Self {
+    pub fn new(level: &Level, lamps: impl Iterator<Item = (Aabb, f64)>, texts: &[Aabb], over_picture: bool) -> Self {
         let mass = mass(level);
         let glass = kind("Glass");
-        let solid =
-            level.world.iter().filter(|solid| solid.is_rock() && kind(solid.material.name) != glass).map(|solid| solid.bounds);
+        let solid = level.world.iter().filter(|it| it.is_rock() && kind(it.material.name) != glass).map(|it| it.bounds);
         let opaque: Vec<Aabb> = solid.chain(level.streams.iter().map(|stream| stream.source)).collect();
         let sources = level.streams.iter().map(|stream| stream.source);
-        let taken: Vec<Aabb> = texts.iter().copied().chain(sources).chain(border(level.size)).collect();
+        // The window's edge cuts off what is drafted there.
+        let inner = Aabb::new(level.bounds().min + BORDER, level.bounds().max - BORDER);
+        let taken: Vec<Aabb> = texts.iter().copied().chain(sources).chain(frame(&level.bounds(), &inner)).collect();
         let seams = (ROCK + 1..Material::ALL.len()).flat_map(|kind| {
             let pieces: Vec<_> = mass.pieces().filter(|piece| piece.1 == kind).collect();
             Silhouette::new(&pieces).edges.to_vec()
         });
-        let dimensions = drafting::dimensions(&mass, ROCK, &taken);
+        let dimensions = dimensions(&mass, ROCK, &taken);
         let tint = Tint::of(level.landscape, &level.name);
         let storeys = (level.storeys && tint.world.is_some()).then_some(level.size.y);
         Self {
             seams: seams.collect(),
-            strokes: drafting::hatching(&mass, ROCK),
+            strokes: hatching(&mass, ROCK),
             dimensions: dimensions.into_iter().map(|dimension| (dimension, metres(dimension.length()))).collect(),
             tint: Tint { storeys, ..tint },
             lit: lamps.take(MOST_LAMPS).map(|(bounds, reach)| cast(&mass.edges, &bounds, reach, &opaque)).collect(),
@@ -111,7 +104,7 @@ impl Terrain {
     /// The colour of an edge: the light of the level's world falls on one side.
     fn rim(&self, edge: &RockEdge) -> Colour {
         let tint = self.tint.at(edge.bounds().centre().y);
-        let plain = edge_colour(edge.kind, &tint);
+        let plain = material_edge(Material::ALL[edge.kind].name).unwrap_or(tint.edge);
         match tint.rim.filter(|_| edge.kind == ROCK) {
             Some((rim, towards)) => {
                 let facing = -edge.inward.dot(towards) as f32;
@@ -119,11 +112,6 @@ impl Terrain {
             }
             None => plain,
         }
-    }
-
-    /// The parts of a box that are solid ground.
-    pub fn parts(&self, within: &Aabb) -> impl Iterator<Item = Aabb> {
-        parts(&self.mass, within)
     }
 
     /// `index` counts the lamps of [`Self::new`].
@@ -217,7 +205,7 @@ impl Terrain {
 
     fn draw_hatching(&self, view: &Viewport, pixel: f32, quads: &mut Quads) {
         let visible = view.visible();
-        for HatchStroke { from, to } in &self.strokes {
+        for (from, to) in &self.strokes {
             if from.cmpge(visible.min - 1.5).all() && from.cmple(visible.max + 1.5).all() {
                 let colour = self.tint.at(from.y).ink.faded(HATCHING);
                 quads.stroke([view.point(*from), view.point(*to)], pixel.max(1.2), [colour, colour.faded(0.0)]);
@@ -277,30 +265,14 @@ fn ceiling_lamps(level: &Level, mass: &Silhouette) -> Vec<DVec2> {
     let pads = pads.chain(level.ship_plays().then_some(level.player.position));
     let over = |pad: DVec2| {
         let ceilings = mass.edges.iter().filter(|edge| edge.kind == ROCK && edge.inward.y < 0.0 && edge.depth > 0.4);
-        let above =
-            ceilings.filter(|edge| edge.bounds().min.x < pad.x - 0.4 && edge.bounds().max.x > pad.x + 0.4 && edge.from.y < pad.y);
+        let above = ceilings.filter(|it| it.bounds().min.x < pad.x - 0.4 && it.bounds().max.x > pad.x + 0.4 && it.from.y < pad.y);
         let height = above.map(|edge| edge.from.y).fold(f64::MIN, f64::max);
         ((2.5..CONE.0).contains(&(pad.y - height))).then_some(DVec2::new(pad.x, height))
     };
     pads.filter_map(over).collect()
 }
 
-/// The outermost strips of a level of that size (m), without drafting: the window's edge cuts them off.
-fn border(size: DVec2) -> [Aabb; 4] {
-    [
-        Aabb::new(DVec2::ZERO, DVec2::new(size.x, BORDER)),
-        Aabb::new(DVec2::new(0.0, size.y - BORDER), size),
-        Aabb::new(DVec2::ZERO, DVec2::new(BORDER, size.y)),
-        Aabb::new(DVec2::new(size.x - BORDER, 0.0), size),
-    ]
-}
-
-/// The brightest colour of a material's edge: it marks the material where only its side is in view.
-fn edge_colour(kind: usize, tint: &Tint) -> Colour {
-    material_edge(Material::ALL[kind].name).unwrap_or(tint.edge)
-}
-
-/// By the material's name; `None` for plain rock.
+/// The brightest colour of a material's edge, which marks it where only its side is in view; `None` for plain rock.
 pub fn material_edge(name: &str) -> Option<Colour> {
     Some(match name {
         "Glass" => Colour::hex(0xCDEBFF),
@@ -319,20 +291,11 @@ fn draw_side(edge: &RockEdge, width: f32, colour: Colour, (view, canvas): (&View
     let reaches = |end: usize| if edge.corners[end] == Corner::Inner { width } else { 0.0 };
     // The mass is on the right hand: edges that face up and right begin at their smaller end.
     let (low, high) = if edge.along().element_sum() > 0.0 { (reaches(0), reaches(1)) } else { (reaches(1), reaches(0)) };
+    let out = |towards: f64| if towards > 0.0 { 0.0 } else { width };
     let area = if edge.inward.x == 0.0 {
-        Area::new(
-            line.min.x - low,
-            if edge.inward.y > 0.0 { line.min.y } else { line.min.y - width },
-            line.size.x + low + high,
-            width,
-        )
+        Area::new(line.min.x - low, line.min.y - out(edge.inward.y), line.size.x + low + high, width)
     } else {
-        Area::new(
-            if edge.inward.x > 0.0 { line.min.x } else { line.min.x - width },
-            line.min.y - low,
-            width,
-            line.size.y + low + high,
-        )
+        Area::new(line.min.x - out(edge.inward.x), line.min.y - low, width, line.size.y + low + high)
     };
     canvas.rectangle(area, colour);
 }
@@ -349,10 +312,8 @@ fn draw_lit(lit: &[Lit], colour: Colour, (view, canvas): (&Viewport, &Canvas)) {
         let [a, b] = strength.map(|s| colour.faded(s));
         let deep = LIT_DEPTH.min(depth * 0.75);
         let half = |c: Colour| c.faded(0.5);
-        quads.quad(
-            [corner(from, 0.0), corner(to, 0.0), corner(to, deep), corner(from, deep)],
-            [half(a), half(b), b.faded(0.0), a.faded(0.0)],
-        );
+        let corners = [corner(from, 0.0), corner(to, 0.0), corner(to, deep), corner(from, deep)];
+        quads.quad(corners, [half(a), half(b), b.faded(0.0), a.faded(0.0)]);
         let line = inward.as_vec2() * TOP_WIDTH;
         quads.quad([corner(from, 0.0), corner(to, 0.0), corner(to, 0.0) + line, corner(from, 0.0) + line], [a, b, b, a]);
     }

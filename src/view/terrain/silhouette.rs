@@ -15,12 +15,10 @@ pub enum Corner {
     Straight,
 }
 
-/// A straight piece of the outline, of one kind, with the mass on its right hand (y down).
+/// A straight piece of the outline, of one kind, with the mass on its right hand (y down); lengths in m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockEdge {
-    /// m.
     pub from: DVec2,
-    /// m.
     pub to: DVec2,
     /// The unit vector into the mass.
     pub inward: DVec2,
@@ -65,14 +63,12 @@ impl Silhouette {
         let boxes: Vec<&(Aabb, usize)> = boxes.iter().filter(|(bounds, _)| bounds.size().min_element() > TOUCH).collect();
         let columns = stops(boxes.iter().flat_map(|(bounds, _)| [bounds.min.x, bounds.max.x]));
         let heights = stops(boxes.iter().flat_map(|(bounds, _)| [bounds.min.y, bounds.max.y]));
-        let placed: Vec<SweptBox> = boxes
-            .iter()
-            .map(|(bounds, kind)| SweptBox {
-                columns: [stop(&columns, bounds.min.x), stop(&columns, bounds.max.x)],
-                rows: [stop(&heights, bounds.min.y), stop(&heights, bounds.max.y)],
-                kind: *kind,
-            })
-            .collect();
+        let swept = |(bounds, kind): &&(Aabb, usize)| SweptBox {
+            columns: [stop(&columns, bounds.min.x), stop(&columns, bounds.max.x)],
+            rows: [stop(&heights, bounds.min.y), stop(&heights, bounds.max.y)],
+            kind: *kind,
+        };
+        let placed: Vec<SweptBox> = boxes.iter().map(swept).collect();
         let rows = rows(&placed, heights.len());
         let mut mass = Self { columns, heights, rows, loops: Vec::new(), edges: Vec::new() };
         for corners in loops(&mass.rows) {
@@ -99,8 +95,7 @@ impl Silhouette {
         let mut above: Vec<usize> = Vec::new();
         for row in &self.rows {
             let (top, bottom) = (self.heights[row.top].max(within.min.y), self.heights[row.bottom].min(within.max.y));
-            let solid =
-                row.spans.iter().filter(|span| span.kind != but).map(|span| (self.columns[span.from], self.columns[span.to]));
+            let solid = row.spans.iter().filter(|it| it.kind != but).map(|it| (self.columns[it.from], self.columns[it.to]));
             let (mut from, mut here) = (within.min.x, Vec::new());
             for (left, right) in solid.chain([(within.max.x, within.max.x)]) {
                 let free = Aabb::new(DVec2::new(from, top), DVec2::new(left.min(within.max.x), bottom));
@@ -119,21 +114,19 @@ impl Silhouette {
         open
     }
 
-    /// Drops the edges beyond a box.
-    pub fn keep_edges(&mut self, within: &Aabb) {
-        self.edges.retain(|edge| edge.bounds().touches(within, 0.0));
-    }
-
     /// Whether all of a box lies in the mass and is of that kind.
     pub fn holds(&self, bounds: &Aabb, kind: usize) -> bool {
         let (lowest, last) = (self.heights.first(), self.heights.last());
         let inside = lowest.is_some_and(|top| *top <= bounds.min.y) && last.is_some_and(|bottom| *bottom >= bounds.max.y);
         let first = self.rows.partition_point(|row| self.heights[row.bottom] <= bounds.min.y);
+        let over = |span: &SweepSpan| {
+            span.kind == kind && self.columns[span.from] <= bounds.min.x && self.columns[span.to] >= bounds.max.x
+        };
         inside
             && self.rows[first..]
                 .iter()
                 .take_while(|row| self.heights[row.top] < bounds.max.y)
-                .all(|row| row.spans.iter().any(|span| span.kind == kind && self.spans_over(span, bounds.min.x, bounds.max.x)))
+                .all(|row| row.spans.iter().any(over))
     }
 
     /// The free distance from a point along a unit vector (parallel to neither axis) inside one kind, m; at most `limit`.
@@ -152,10 +145,6 @@ impl Silhouette {
             gone += across.min(down).max(TOUCH);
         }
         gone.min(limit)
-    }
-
-    fn spans_over(&self, span: &SweepSpan, from: f64, to: f64) -> bool {
-        self.columns[span.from] <= from && self.columns[span.to] >= to
     }
 
     fn row_at(&self, y: f64) -> Option<&SweepRow> {
@@ -192,35 +181,27 @@ impl Silhouette {
 
     /// The pieces of a side by the kind behind them, in walking order.
     fn kinds(&self, from: EdgePlace, to: EdgePlace, inward: (i8, i8)) -> Vec<(EdgePlace, EdgePlace, usize)> {
+        let along: Vec<(EdgePlace, EdgePlace, usize)> = if inward.0 == 0 {
+            let (left, right) = (from.0.min(to.0), from.0.max(to.0));
+            let spans = self.row_beside(from.1, inward.1).into_iter().flat_map(|row| &row.spans);
+            let inside = spans.filter(|span| span.to > left && span.from < right);
+            inside.map(|span| ((span.from.max(left), from.1), (span.to.min(right), from.1), span.kind)).collect()
+        } else {
+            let (top, bottom) = (from.1.min(to.1), from.1.max(to.1));
+            let touches = |span: &&SweepSpan| if inward.0 > 0 { span.from == from.0 } else { span.to == from.0 };
+            let ends = |row: &SweepRow| ((from.0, row.top.max(top)), (from.0, row.bottom.min(bottom)));
+            let cut = |row: &SweepRow| row.spans.iter().find(touches).map(|span| (ends(row).0, ends(row).1, span.kind));
+            self.rows_between(top, bottom).iter().filter_map(cut).collect()
+        };
         let mut pieces: Vec<(EdgePlace, EdgePlace, usize)> = Vec::new();
         let mut add = |a: EdgePlace, b: EdgePlace, kind: usize| match pieces.last_mut() {
             Some(last) if last.2 == kind => last.1 = b,
             _ => pieces.push((a, b, kind)),
         };
-        if inward.0 == 0 {
-            let (left, right) = (from.0.min(to.0), from.0.max(to.0));
-            let row = self.row_beside(from.1, inward.1);
-            let inside = row.iter().flat_map(|row| &row.spans).filter(|span| span.to > left && span.from < right);
-            let mut along: Vec<SweepSpan> =
-                inside.map(|span| SweepSpan { from: span.from.max(left), to: span.to.min(right), kind: span.kind }).collect();
-            if to.0 < from.0 {
-                along.reverse();
-                along.iter().for_each(|span| add((span.to, from.1), (span.from, from.1), span.kind));
-            } else {
-                along.iter().for_each(|span| add((span.from, from.1), (span.to, from.1), span.kind));
-            }
+        if from < to {
+            along.into_iter().for_each(|(a, b, kind)| add(a, b, kind));
         } else {
-            let (top, bottom) = (from.1.min(to.1), from.1.max(to.1));
-            let touches = |span: &&SweepSpan| if inward.0 > 0 { span.from == from.0 } else { span.to == from.0 };
-            let cut =
-                |row: &SweepRow| row.spans.iter().find(touches).map(|span| (row.top.max(top), row.bottom.min(bottom), span.kind));
-            let mut along: Vec<(usize, usize, usize)> = self.rows_between(top, bottom).iter().filter_map(cut).collect();
-            if to.1 < from.1 {
-                along.reverse();
-                along.iter().for_each(|&(top, bottom, kind)| add((from.0, bottom), (from.0, top), kind));
-            } else {
-                along.iter().for_each(|&(top, bottom, kind)| add((from.0, top), (from.0, bottom), kind));
-            }
+            along.into_iter().rev().for_each(|(a, b, kind)| add(b, a, kind));
         }
         pieces
     }
@@ -331,11 +312,7 @@ fn following(sides: &[(EdgePlace, EdgePlace)], side: usize) -> usize {
 
 /// The direction from one place to another on the same column or height.
 fn unit(from: EdgePlace, to: EdgePlace) -> (i8, i8) {
-    let sign = |a: usize, b: usize| match b.cmp(&a) {
-        std::cmp::Ordering::Greater => 1,
-        std::cmp::Ordering::Equal => 0,
-        std::cmp::Ordering::Less => -1,
-    };
+    let sign = |a: usize, b: usize| b.cmp(&a) as i8;
     (sign(from.0, to.0), sign(from.1, to.1))
 }
 

@@ -17,7 +17,7 @@ const MOST_FRAMES: u32 = 3000;
 /// Plays frames with the engine and crashes, a second of them, and on until half a second has arrived in the file.
 fn play(file: &Path) {
     let arrived = || std::fs::metadata(file).map_or(0, |samples| samples.len());
-    let mut speaker = Speaker::new();
+    let mut speaker = Speaker::start();
     for frame in 0..MOST_FRAMES {
         if frame % 20 == 0 {
             speaker.play(Sound::new(Cue::Crash, 1.0));

@@ -15,7 +15,7 @@ fn flight(name: &str, volumes: Volumes) -> Heard {
     let (desk, feed) = desk();
     desk.set_volumes(volumes);
     let (mut speaker, mut ear, mut mixer) = (Speaker::at(desk), Ear::default(), Mixer::new(RATE, feed));
-    speaker.set_tune(Some(tune(name)));
+    speaker.desk.set_tune(Some(tune(name)));
     let (mut samples, mut tick) = (Vec::new(), [0.0; 2 * RATE as usize / 120]);
     let mut hear = |game: &Game, speaker: &mut Speaker| {
         speaker.surround(Ambience::of(game, f64::from(game.ship().burning).abs()));

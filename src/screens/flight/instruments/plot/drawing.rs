@@ -260,7 +260,7 @@ impl Plot {
         }
         let mut drawn = f32::NEG_INFINITY;
         for track in self.objects.iter().filter_map(super::PlotObject::track) {
-            for place in track.impacts() {
+            for place in &track.impacts {
                 let x = scale.at((track.time(*place), 0.0)).x;
                 // One of many at one place.
                 if !(scale.area.min.x..=scale.area.max().x).contains(&x) || (x - drawn).abs() < 2.0 {
