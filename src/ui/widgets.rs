@@ -4,7 +4,7 @@ use super::Ui;
 use super::input::Input;
 use super::memory::WidgetKind;
 use super::text_field::TextField;
-use crate::draw::layout::{Area, BUTTON_TEXT, GRID, HEADING, MARGIN, PADDING, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GRID, HEADING, MARGIN, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Align, Canvas, Colour, Style};
 use crate::settings::{Key, Keys};
 use crate::view::{theme, widgets as paint};
@@ -110,6 +110,11 @@ impl Ui<'_> {
         touch.pressed
     }
 
+    /// The width of a button with that label in its smallest letters.
+    pub fn least_width(&self, label: &str) -> f32 {
+        self.canvas().width(tr(label), Style::new(DETAILS, theme::text())) + 2.0 * GRID + 1.0
+    }
+
     pub fn buttons<'l>(&mut self, areas: Vec<Area>, labels: &[&'l str]) -> Option<&'l str> {
         let all = labels.iter().zip(areas);
         all.fold(None, |pressed, (label, area)| if self.button(label, area) { Some(*label) } else { pressed })
@@ -117,7 +122,8 @@ impl Ui<'_> {
 
     /// In the middle of the canvas.
     pub fn row<'l>(&mut self, top: f32, labels: &[&'l str]) -> Option<&'l str> {
-        self.buttons(self.frame().row(labels.len(), top), labels)
+        let least: Vec<f32> = labels.iter().map(|label| self.least_width(label)).collect();
+        self.buttons(self.frame().row_of(&least, top), labels)
     }
 
     /// In the middle of the canvas.
@@ -128,7 +134,8 @@ impl Ui<'_> {
     /// Buttons at the foot of a scene whose arrow keys have other work: each shows its own key, which presses it unless the screen has
     /// claimed it.
     pub fn tools<'l>(&mut self, tools: &[(&'l str, Key, &str)]) -> Option<&'l str> {
-        let areas = self.frame().row(tools.len(), self.frame().size.y - ROW_BUTTON.y - MARGIN);
+        let least: Vec<f32> = tools.iter().map(|(label, ..)| self.least_width(label)).collect();
+        let areas = self.frame().row_of(&least, self.frame().size.y - ROW_BUTTON.y - MARGIN);
         let mut pressed = None;
         for ((label, key, named), area) in tools.iter().zip(areas) {
             let touch = self.touch(label, area, WidgetKind::Tool);

@@ -4,7 +4,7 @@
 //! own mark four that lead out.
 
 use super::theme;
-use crate::draw::layout::{Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};
+use crate::draw::layout::{self, Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Medal, Medals, Prize};
 use crate::level::Awards;
@@ -101,17 +101,7 @@ pub fn cut(canvas: &Canvas, text: &str, widest: f32, style: Style) -> String {
 
 /// Words in lines that are at most `widest` wide.
 pub fn lines(canvas: &Canvas, words: &str, widest: f32, style: Style) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in words.split(' ') {
-        match lines.last_mut() {
-            Some(line) if canvas.width(&format!("{line} {word}"), style) <= widest => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
+    layout::lines(words, widest, |line| canvas.width(line, style))
 }
 
 /// As large as a letter of twice that height.

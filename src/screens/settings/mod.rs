@@ -18,8 +18,9 @@ const KEYS: Vec2 = Vec2::new(560.0, 24.0);
 const BETWEEN: f32 = 40.0;
 /// From the canvas' top to the first row.
 const TOP: f32 = 92.0;
-/// How wide a key is.
+/// How wide a key is, at least.
 const KEY_WIDTH: f32 = 150.0;
+const PRESS: &str = "press a key";
 /// Shows the keys that do not fly, too.
 const ALL_KEYS: &str = "All keys";
 /// Keys a control.
@@ -58,13 +59,14 @@ impl SettingsPanel {
         let mut pressed = None;
         let shown = if self.all { Action::ALL.len() } else { FLYING };
         let pitch = if self.all { KEYS.y } else { KEYS.y.max(1.3 * ui.frame().text_height(TEXT)) };
+        let key_width = KEY_WIDTH.max(ui.canvas().width(tr(PRESS), Style::new(TEXT, theme::text())) + 8.0);
         for (row, action) in Action::ALL.into_iter().take(shown).enumerate() {
             let area = Area::new(corner.x, corner.y + row as f32 * pitch, KEYS.x, pitch - 4.0);
             let label = Vec2::new(area.min.x, area.centre().y);
             ui.text(tr(action.label()), label, Style::new(TEXT, theme::quiet()).middle());
             for slot in 0..SLOTS {
-                let x = area.max().x - (SLOTS - slot) as f32 * (KEY_WIDTH + 8.0) + 8.0;
-                let area = Area { min: Vec2::new(x, area.min.y), size: Vec2::new(KEY_WIDTH, area.size.y) };
+                let x = area.max().x - (SLOTS - slot) as f32 * (key_width + 8.0) + 8.0;
+                let area = Area { min: Vec2::new(x, area.min.y), size: Vec2::new(key_width, area.size.y) };
                 let touch = ui.touch(&format!("{} {}", action.label(), slot + 1), area, WidgetKind::Button);
                 widgets::button_box(ui.canvas(), area, touch.hover, touch.focus);
                 let (words, colour) = self.words(action, slot);
@@ -92,7 +94,7 @@ impl SettingsPanel {
     fn words(&self, action: Action, slot: usize) -> (String, Colour) {
         let keys = &self.settings.keys;
         match keys.of(action)[slot] {
-            _ if self.taking == Some((action, slot)) => (tr("press a key").to_owned(), theme::accent()),
+            _ if self.taking == Some((action, slot)) => (tr(PRESS).to_owned(), theme::accent()),
             Some(key) => {
                 let twice = keys.conflict(action, key).is_some();
                 (action.label_of(key), if twice { theme::bad() } else { theme::text() })
