@@ -188,7 +188,7 @@ impl Worksheet {
     fn show_prediction(&mut self, ui: &mut Ui<'_>, pen: &mut Paragraphs<'_>) {
         let canvas = ui.canvas();
         canvas.text(tr(PREDICTION), pen.at, Style::new(DETAILS, theme::quiet()));
-        pen.at.y += canvas.line_height(DETAILS);
+        pen.at.y += canvas.line_height(DETAILS) + 0.5 * GRID;
         let (whole, choices) = (Area { min: pen.at, size: Vec2::new(pen.width, FIELD) }, &self.experiment.choices);
         let unit = self.experiment.predicted().map_or_else(String::new, |wanted| wanted.unit);
         let (prediction, style) = (self.written.prediction.clone(), Style::new(TEXT, theme::text()).middle());

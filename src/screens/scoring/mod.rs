@@ -201,15 +201,26 @@ impl Scoring {
         let style = Style::new(BUTTON_TEXT, theme::ground()).middle();
         ui.text(&named(labels[0]), Vec2::new(left + 2.0 * GRID, main.centre().y), style);
         let mut pressed = touch.pressed.then_some(labels[0]);
-        let (mut at, third) = (main.min + Vec2::new(0.0, main.size.y + 0.75 * GRID), (width - 2.0 * GRID) / 3.0);
+        let small = Style::new(TEXT, theme::text()).centred();
+        let canvas = ui.canvas();
+        let least = |label: &&str| canvas.width(&named(label), small) + 2.0 * GRID;
+        let beside = || labels[1..].iter().filter(|label| **label != SAVE);
+        // Thirds, where their words fit.
+        let third = (width - 2.0 * GRID) / 3.0;
+        let spare = (width + GRID - beside().map(|label| least(label) + GRID).sum::<f32>()) / beside().count().max(1) as f32;
+        let equal = beside().all(|label| least(label) <= third);
+        let mut at = main.min + Vec2::new(0.0, main.size.y + 0.75 * GRID);
         for label in &labels[1..] {
-            let (words, style) = (named(label), Style::new(TEXT, theme::text()).centred());
-            let wide = if *label == SAVE { width } else { third.max(ui.canvas().width(&words, style) + 2.0 * GRID) };
+            let wide = match *label {
+                SAVE => width,
+                _ if equal => third,
+                _ => least(label) + spare.max(0.0),
+            };
             if at.x + wide > left + width + 1.0 || *label == SAVE {
                 at = Vec2::new(left, at.y + SMALL + GRID / 2.0);
             }
             let area = Area { min: at, size: Vec2::new(wide, SMALL) };
-            if ui.small_button((label, &words), area, style) {
+            if ui.small_button((label, &named(label)), area, small) {
                 pressed = Some(label);
             }
             at.x += wide + GRID;

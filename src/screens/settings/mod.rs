@@ -3,7 +3,7 @@
 #[cfg(all(feature = "window", browser))]
 pub mod page_data;
 
-use crate::draw::layout::{Area, DETAILS, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, MARGIN, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Colour, Style};
 use crate::screens::screen::{Effect, Request, Screen};
 use crate::settings::{Action, FLYING, Item, Key, Keys, Settings};
@@ -61,7 +61,9 @@ impl SettingsPanel {
         let pitch = if self.all { KEYS.y } else { KEYS.y.max(1.3 * ui.frame().text_height(TEXT)) };
         let key_width = KEY_WIDTH.max(ui.canvas().width(tr(PRESS), Style::new(TEXT, theme::text())) + 8.0);
         for (row, action) in Action::ALL.into_iter().take(shown).enumerate() {
-            let area = Area::new(corner.x, corner.y + row as f32 * pitch, KEYS.x, pitch - 4.0);
+            // Large words stand closer.
+            let apart = (pitch - ui.frame().text_height(TEXT)).clamp(1.0, 4.0);
+            let area = Area::new(corner.x, corner.y + row as f32 * pitch, KEYS.x, pitch - apart);
             let label = Vec2::new(area.min.x, area.centre().y);
             ui.text(tr(action.label()), label, Style::new(TEXT, theme::quiet()).middle());
             for slot in 0..SLOTS {
@@ -186,7 +188,7 @@ impl Screen for SettingsPanel {
         self.show_hints(ui, values + Vec2::new(0.0, Item::ALL.len() as f32 * VALUES.y + 12.0));
         // A press of the first one saves once more what could not be saved.
         let labels = if self.problems.is_empty() { &["Defaults", "Back"][..] } else { &["Try again", "Defaults", "Back"] };
-        let pressed = ui.row(size.y - ROW_BUTTON.y - 32.0, labels);
+        let pressed = ui.row(size.y - ROW_BUTTON.y - MARGIN, labels);
         if leaves || pressed == Some("Back") {
             return Some(Request::Pop);
         }
