@@ -28,9 +28,9 @@ const UNREAD: &str = "Write down a reading first: the answer comes last.";
 const FIELD: f32 = 38.0;
 /// The least width of the table's columns but the first: reading, tick, verdict.
 const COLUMNS: [f32; 3] = [104.0, 60.0, 28.0];
-/// The pitch of the table's rows, in lines, and the lines that stay below them for what is not written yet.
+/// The pitch of the table's rows, in lines, and the room below the sheet's buttons for what is not written yet, canvas units.
 const PITCH: std::ops::RangeInclusive<f32> = 1.0..=1.5;
-const BELOW: f32 = 4.0;
+const BELOW: f32 = 72.0;
 
 fn width(frame: &Frame) -> f32 {
     WIDTH.max(WIDTH_IN_TEXT * frame.text_height(DETAILS))
@@ -153,7 +153,7 @@ impl Worksheet {
         };
         let answer = if self.answered { tr(&self.experiment.answer).to_owned() } else { String::new() };
         let written = pen.height(&answer, TEXT) + pen.height(&words, DETAILS);
-        let foot = inner.max().y - FIELD - GRID - written.max(BELOW * ui.canvas().line_height(DETAILS));
+        let foot = inner.max().y - FIELD - GRID - written.max(BELOW);
         self.show_table(ui, &mut pen, (foot, tick));
         ui.group();
         let places = [0.0, 0.5].map(|part| Area::new(pen.at.x + part * inner.size.x, pen.at.y, 0.5 * inner.size.x - GRID, FIELD));

@@ -10,7 +10,7 @@ use crate::ui::input::Input;
 use crate::view::{camera::Viewport, theme};
 
 /// Widths in heights of the text: of a line's name, slider, number and reset.
-const COLUMNS: [f32; 4] = [7.9, 5.3, 7.2, 6.6];
+const COLUMNS: [f32; 4] = [7.2, 6.0, 7.2, 6.6];
 /// Between two columns, and inside the panel's edge.
 const GAP: f32 = GRID;
 const INSIDE: f32 = 1.5 * GRID;
