@@ -54,7 +54,7 @@ impl Canvas {
                 | Shape::Rectangle { colour, .. }
                 | Shape::RectangleEdge { colour, .. } => turn(colour),
                 Shape::Quads(quads) => quads.0.iter_mut().flat_map(|quad| &mut quad.colours).for_each(&mut turn),
-                Shape::Text { style, .. } => turn(&mut style.colour),
+                Shape::Text { style, .. } => style.colour = style.colour.words_on_white(),
                 Shape::Picture { .. } | Shape::Textured { .. } | Shape::Layer => {}
             }
         }

@@ -49,6 +49,29 @@ pub fn text_room(words: &str, height: f32) -> Vec2 {
     Vec2::new(words.chars().count() as f32 * WIDE_ADVANCE, LINE) * height
 }
 
+/// Signs before which a language leaves a gap.
+const SIGNS: [&str; 5] = [":", ";", "?", "!", "»"];
+
+/// Words in lines that are at most `widest` wide.
+pub fn lines(words: &str, widest: f32, width: impl Fn(&str) -> f32) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in words.split(' ') {
+        match lines.last_mut() {
+            Some(line) if width(&format!("{line} {word}")) <= widest => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            // No line begins with a sign: the word before it comes along.
+            Some(line) if SIGNS.contains(&word) && line.contains(' ') => {
+                let before = line.split_off(line.rfind(' ').unwrap_or(line.len()));
+                lines.push(format!("{} {word}", before.trim_start()));
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// Lines of at most `columns` characters, cut between words where a cut fits; lines after the first are indented by `indent`.
 pub fn wrapped(text: &str, columns: usize, indent: usize) -> Vec<String> {
     let mut lines = Vec::new();
@@ -207,9 +230,25 @@ impl Frame {
 
     /// Buttons beside each other at `top`, in the middle of the canvas; narrower where there are many.
     pub fn row(&self, count: usize, top: f32) -> Vec<Area> {
-        let pitch = ((self.size.x - 2.0 * MARGIN + GAP) / count.max(1) as f32).min(ROW_BUTTON.x + GAP);
-        let left = (self.size.x - (count as f32 * pitch - GAP)) / 2.0;
-        (0..count).map(|i| Area::new(left + i as f32 * pitch, top, pitch - GAP, ROW_BUTTON.y)).collect()
+        self.row_of(&vec![0.0; count], top)
+    }
+
+    /// The same, each at least that wide, as far as the canvas is.
+    pub fn row_of(&self, least: &[f32], top: f32) -> Vec<Area> {
+        let count = least.len().max(1) as f32;
+        let room = self.size.x - 2.0 * MARGIN + GAP;
+        let usual = (room / count).min(ROW_BUTTON.x + GAP) - GAP;
+        let fits = |part: f32| least.iter().map(|width| width.max(part) + GAP).sum::<f32>() <= room + 0.01;
+        // Where words need more, the others have less.
+        let part = (0..=10).map(|step| usual * (1.0 - 0.1 * step as f32)).find(|part| fits(*part)).unwrap_or(0.0);
+        let whole: f32 = least.iter().map(|width| width.max(part) + GAP).sum();
+        let (shrunk, mut left) = ((room / whole).min(1.0), (self.size.x - whole.min(room) + GAP) / 2.0);
+        let place = |width: &f32| {
+            let pitch = (width.max(part) + GAP) * shrunk;
+            left += pitch;
+            Area::new(left - pitch, top, pitch - GAP, ROW_BUTTON.y)
+        };
+        least.iter().map(place).collect()
     }
 }
 

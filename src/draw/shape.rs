@@ -121,6 +121,10 @@ impl Style {
 const ON_WHITE: [(f32, f32); 8] =
     [(0.0, 98.0), (12.0, 93.0), (30.0, 70.0), (40.0, 58.0), (60.0, 48.0), (88.0, 28.0), (94.0, 8.0), (100.0, 0.0)];
 
+/// The most lightness of words on white grounds, and that from which words stand on dark areas.
+const WORDS_ON_WHITE: f32 = 38.0;
+const PALE: f32 = 65.0;
+
 /// A colour in straight (not premultiplied) sRGB, each part 0 … 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Colour {
@@ -156,12 +160,23 @@ impl Colour {
 
     /// For a projector and for paper: light becomes dark and dark light, and the hue stays.
     pub fn on_white(self) -> Self {
-        let linear = [self.r, self.g, self.b].map(|c| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) });
+        self.with_lightness(|wanted| wanted)
+    }
+
+    /// The same for words, which are darker than areas and lines.
+    pub fn words_on_white(self) -> Self {
+        self.with_lightness(|wanted| if wanted < PALE { wanted.min(WORDS_ON_WHITE) } else { wanted })
+    }
+
+    /// With the lightness for white grounds, which `limit` changes.
+    fn with_lightness(self, limit: impl Fn(f32) -> f32) -> Self {
+        let linear =
+            [self.r, self.g, self.b].map(|part| if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) });
         let luminance = (0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]).max(1e-6);
         let lightness = if luminance > 216.0 / 24389.0 { 116.0 * luminance.cbrt() - 16.0 } else { luminance * 24389.0 / 27.0 };
         let above = ON_WHITE.iter().position(|(from, _)| lightness <= *from).unwrap_or(ON_WHITE.len() - 1).max(1);
         let [(from, low), (to, high)] = [ON_WHITE[above - 1], ON_WHITE[above]];
-        let wanted = (low + (high - low) * (lightness - from) / (to - from)).clamp(0.0, 100.0);
+        let wanted = limit((low + (high - low) * (lightness - from) / (to - from)).clamp(0.0, 100.0));
         let wanted = if wanted > 8.0 { ((wanted + 16.0) / 116.0).powi(3) } else { wanted * 27.0 / 24389.0 };
         // A ground that becomes much lighter keeps less of its tint.
         let tint = (luminance / wanted).sqrt().min(1.0);

@@ -14,7 +14,7 @@ use crate::settings::Key;
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
-/// Width and height of the panel.
+/// Least width and height of the panel.
 const PANEL: Vec2 = Vec2::new(640.0, 264.0);
 /// The most letters that the field takes.
 const MOST: usize = 400;
@@ -49,7 +49,9 @@ impl Prompt {
     /// Shows the panel above all else.
     pub fn show(&mut self, ui: &mut Ui<'_>) -> Option<Reply> {
         ui.layer(0.7);
-        let panel = Area::around(ui.frame().size / 2.0, PANEL);
+        let words = ui.canvas().width(&self.heading, Style::new(DETAILS, theme::text())) + 2.0 * PADDING + 1.0;
+        let width = PANEL.x.max(words).min(ui.frame().size.x - 2.0 * PADDING);
+        let panel = Area::around(ui.frame().size / 2.0, Vec2::new(width, PANEL.y));
         let (middle, room) = (panel.centre().x, panel.size.x - 2.0 * PADDING);
         ui.panel(panel);
         let at = Vec2::new(middle, panel.min.y + 36.0);

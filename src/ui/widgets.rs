@@ -4,7 +4,7 @@ use super::Ui;
 use super::input::Input;
 use super::memory::WidgetKind;
 use super::text_field::TextField;
-use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GAP, GRID, HEADING, MARGIN, PADDING, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GRID, HEADING, MARGIN, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Align, Canvas, Colour, Style};
 use crate::settings::{Key, Keys};
 use crate::view::{theme, widgets as paint};
@@ -109,6 +109,11 @@ impl Ui<'_> {
         touch.pressed
     }
 
+    /// The width of a button with that label in its smallest letters.
+    pub fn least_width(&self, label: &str) -> f32 {
+        self.canvas().width(tr(label), Style::new(DETAILS, theme::text())) + 2.0 * GRID + 1.0
+    }
+
     pub fn buttons<'l>(&mut self, areas: Vec<Area>, labels: &[&'l str]) -> Option<&'l str> {
         let all = labels.iter().zip(areas);
         all.fold(None, |pressed, (label, area)| if self.button(label, area) { Some(*label) } else { pressed })
@@ -116,7 +121,8 @@ impl Ui<'_> {
 
     /// In the middle of the canvas.
     pub fn row<'l>(&mut self, top: f32, labels: &[&'l str]) -> Option<&'l str> {
-        self.buttons(self.frame().row(labels.len(), top), labels)
+        let least: Vec<f32> = labels.iter().map(|label| self.least_width(label)).collect();
+        self.buttons(self.frame().row_of(&least, top), labels)
     }
 
     /// In the middle of the canvas.
@@ -127,18 +133,8 @@ impl Ui<'_> {
     /// Buttons at the foot of a scene whose arrow keys have other work: each shows its own key, which presses it unless the screen has
     /// claimed it.
     pub fn tools<'l>(&mut self, tools: &[(&'l str, Key, &str)]) -> Option<&'l str> {
-        let mut areas = self.frame().row(tools.len(), self.frame().size.y - ROW_BUTTON.y - MARGIN);
-        let width = |label: &str| self.canvas().width(tr(label), Style::new(DETAILS, theme::text())) + 2.0 * GRID + 1.0;
-        let words: Vec<f32> = tools.iter().map(|(label, _, _)| width(label)).collect();
-        let rest: f32 = areas.iter().zip(&words).map(|(area, words)| area.size.x - words).sum();
-        // Where one has no room for its word, others give it of theirs.
-        if rest > 0.0 && areas.iter().zip(&words).any(|(area, words)| area.size.x < *words) {
-            let mut left = areas[0].min.x;
-            for (area, words) in areas.iter_mut().zip(&words) {
-                (area.min.x, area.size.x) = (left, words + rest / tools.len() as f32);
-                left = area.max().x + GAP;
-            }
-        }
+        let least: Vec<f32> = tools.iter().map(|(label, ..)| self.least_width(label)).collect();
+        let areas = self.frame().row_of(&least, self.frame().size.y - ROW_BUTTON.y - MARGIN);
         let mut pressed = None;
         for ((label, key, named), area) in tools.iter().zip(areas) {
             let touch = self.touch(label, area, WidgetKind::Tool);

@@ -5,7 +5,7 @@
 use super::facts::{ArrowKind, BodyFacts, NO_PART, Value, facts};
 use super::scale::{self, Arrow, ScaleStep};
 use super::{theme, widgets};
-use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GRID, LINE, PADDING, TEXT, Vec2, words_width};
+use crate::draw::layout::{self, Area, BUTTON_TEXT, Frame, GRID, LINE, PADDING, TEXT, Vec2, words_width};
 use crate::draw::{Canvas, Style};
 use crate::game::{Controls, Game};
 use crate::number::scalar;
@@ -16,6 +16,8 @@ use std::{borrow::Cow, f64::consts::TAU};
 /// Side of a square of the paper, and the longer half of the body, canvas units.
 const SQUARE: f32 = 32.0;
 const BODY: f32 = 26.0;
+/// A part with less than this many heights of the text in its width has two lines below it.
+const NARROW: f32 = 16.0;
 /// Between arrows side by side, and the least length of one, canvas units.
 const APART: f32 = 16.0;
 const LEAST: f32 = 14.0;
@@ -72,6 +74,8 @@ impl NamedArrow {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
     pub lines: Vec<String>,
+    /// The lines of its name; the others are its value.
+    pub names: usize,
     pub area: Area,
     pub shown: ArrowKind,
     /// The point of its arrow that it belongs to.
@@ -171,11 +175,19 @@ pub fn lay_out(
             true => (to, way),
             false => (from.midpoint(to), if way.perp().dot(out) < 0.0 { -way.perp() } else { way.perp() }),
         };
-        let widest = lines.iter().map(|words| width(words)).fold(0.0, f32::max);
-        let size = Vec2::new(widest + GRID, lines.len() as f32 * line);
         let taken: Vec<Area> = laid.tags.iter().map(|tag| tag.area).chain([body]).collect();
-        if let Some(area) = free_place(at, way, size, (&parts[part], &taken, &laid.arrows)) {
-            laid.tags.push(Tag { lines, area, shown, at });
+        let placed = |share: &f32| {
+            let cut = |words: &String| layout::lines(words, share * parts[part].size.x, width);
+            let named = cut(&lines[0]);
+            let (names, lines) = (named.len(), named.into_iter().chain(lines[1..].iter().cloned()).collect::<Vec<String>>());
+            let widest = lines.iter().map(|words| width(words)).fold(0.0, f32::max);
+            let size = Vec2::new(widest + GRID, lines.len() as f32 * line);
+            let area = free_place(at, way, size, (&parts[part], &taken, &laid.arrows))?;
+            Some(Tag { lines, names, area, shown, at })
+        };
+        // A name without room stands in several lines.
+        if let Some(tag) = [1.0, 0.6, 0.4].iter().find_map(placed) {
+            laid.tags.push(tag);
         }
     }
     laid
@@ -258,7 +270,8 @@ impl BodyPicture {
         let text = frame.text_height(TEXT);
         let (line, head) = (text * LINE, frame.text_height(BUTTON_TEXT) * LINE);
         let whole = parts(room.inset(PADDING));
-        let parts = whole.map(|part| Area { min: part.min + Vec2::Y * head, size: part.size - Vec2::Y * (head + line) });
+        let foot = if whole[0].size.x < NARROW * text { 2.0 * line } else { line };
+        let parts = whole.map(|part| Area { min: part.min + Vec2::Y * head, size: part.size - Vec2::Y * (head + foot) });
         let needed = needed(&forces, &parts, line);
         let patience = (PATIENCE * game.tick_rate()) as u64;
         let mut a_square = [0.0; 2];
@@ -298,12 +311,12 @@ impl BodyPicture {
         canvas.rectangle(canvas.frame().area(), theme::ground());
         for (part, (head, foot)) in self.parts.iter().zip(self.heads.iter().zip(&self.feet)) {
             draw_paper(canvas, part);
-            for (words, size, colour, y) in [
-                (head, BUTTON_TEXT, theme::accent(), part.min.y - 0.5 * canvas.line_height(BUTTON_TEXT)),
-                (foot, TEXT, theme::text(), part.max().y + 0.6 * canvas.line_height(TEXT)),
-            ] {
-                let middle = Vec2::new(part.centre().x, y);
-                widgets::fitted(canvas, words, middle, part.size.x, &[size, TEXT], colour);
+            let above = Vec2::new(part.centre().x, part.min.y - 0.5 * canvas.line_height(BUTTON_TEXT));
+            widgets::fitted(canvas, head, above, part.size.x, &[BUTTON_TEXT, TEXT], theme::accent());
+            let style = Style::new(TEXT, theme::text()).centred().middle();
+            for (i, words) in widgets::lines(canvas, foot, part.size.x, style).iter().enumerate() {
+                let below = part.max().y + (0.6 + i as f32) * canvas.line_height(TEXT);
+                canvas.text(words, Vec2::new(part.centre().x, below), style);
             }
         }
         let (half, round) = self.body;
@@ -322,7 +335,7 @@ impl BodyPicture {
         for tag in &self.layout.tags {
             canvas.rounded(tag.area, 3.0, theme::ground());
             for (i, words) in tag.lines.iter().enumerate() {
-                let colour = if i == 0 { scale::colour(tag.shown) } else { theme::text() };
+                let colour = if i < tag.names { scale::colour(tag.shown) } else { theme::text() };
                 let at = Vec2::new(tag.area.centre().x, tag.area.min.y + (i as f32 + 0.5) * canvas.line_height(TEXT));
                 canvas.text(words, at, Style::new(TEXT, colour).centred().middle());
             }

@@ -254,6 +254,8 @@ mod tests {
             let contrast = |colour: Colour| (ground + 0.05) / (luminance(colour.on_white()) + 0.05);
             assert!(ground > 0.6 && contrast(SAFE.text) > 9.0 && contrast(SAFE.quiet) > 3.8);
             drawn.clone().for_each(|colour| assert!(contrast(colour) > 2.4, "{colour:?}: {}", contrast(colour)));
+            let words = |colour: Colour| (ground + 0.05) / (luminance(colour.words_on_white()) + 0.05);
+            drawn.clone().chain([SAFE.quiet]).for_each(|colour| assert!(words(colour) > 4.4, "{colour:?}: {}", words(colour)));
         }
     }
 

@@ -2,7 +2,7 @@
 //! colour is not the only cue; for a level's own mark four that lead out.
 
 use super::theme;
-use crate::draw::layout::{Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};
+use crate::draw::layout::{self, Area, BUTTON_TEXT, CORNER, DETAILS, EDGE, GRID, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Medal, Medals, Prize};
 use crate::level::Awards;
@@ -97,27 +97,9 @@ pub fn cut(canvas: &Canvas, text: &str, widest: f32, style: Style) -> String {
     }
 }
 
-/// Signs before which a language leaves a gap.
-const SIGNS: [&str; 5] = [":", ";", "?", "!", "»"];
-
 /// Words in lines that are at most `widest` wide.
 pub fn lines(canvas: &Canvas, words: &str, widest: f32, style: Style) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in words.split(' ') {
-        match lines.last_mut() {
-            Some(line) if canvas.width(&format!("{line} {word}"), style) <= widest => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            // No line begins with a sign: the word before it comes along.
-            Some(line) if SIGNS.contains(&word) && line.contains(' ') => {
-                let before = line.split_off(line.rfind(' ').unwrap_or(line.len()));
-                lines.push(format!("{} {word}", before.trim_start()));
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
+    layout::lines(words, widest, |line| canvas.width(line, style))
 }
 
 /// As large as a letter of twice that height.

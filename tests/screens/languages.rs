@@ -1,10 +1,11 @@
-//! Every screen in every language: no word passes by the catalogues, and at 900 × 500 none is cut or lies on another that does not so
-//! in English.
+//! Every screen in every language: no word passes by the catalogues, and neither in a small window nor where words are large is one cut,
+//! out of its box or on another.
 
 use crate::sitting::Sitting;
-use resultant::draw::layout::{Area, Frame, Vec2};
-use resultant::draw::{Shape, Style, Typeface};
-use resultant::screens::{Key, Places, Stack};
+use resultant::draw::layout::{Area, Frame};
+use resultant::draw::{Contour, Shape, Style, Typeface};
+use resultant::screens::{Input, Key, Places, Stack};
+use resultant::settings::Settings;
 use resultant::words::{Language, rows, speak, tr};
 use std::collections::BTreeSet;
 use std::fs;
@@ -32,6 +33,20 @@ pub fn lines(sitting: &Sitting) -> Vec<Line> {
                 let area = Area::new(from.x, from.y - 0.7 * height, canvas.width(text, *style), 0.85 * height);
                 found.push(Line { text: text.clone(), style: *style, area, layer });
             }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// The edges of panels and buttons, each with its layer.
+fn boxes(sitting: &Sitting) -> Vec<(usize, Area)> {
+    let mut layer = 0;
+    let mut found = Vec::new();
+    for shape in sitting.app.canvas().shapes().iter() {
+        match shape {
+            Shape::Layer => layer += 1,
+            Shape::Edge { outline: Contour::Rounded(area, _), .. } => found.push((layer, *area)),
             _ => {}
         }
     }
@@ -94,7 +109,8 @@ fn menus(sitting: &mut Sitting, visit: &mut dyn FnMut(&mut Sitting, &str)) {
     visit(sitting.write("1x").press(Key::Enter), "a name that is refused");
     visit(sitting.press(Key::Escape).press(Key::Escape).choose("Settings"), "settings");
     visit(sitting.press_all(&[Key::Tab, Key::Enter]), "a key to press");
-    visit(sitting.press_all(&[Key::Escape, Key::Escape]).choose("Credits"), "credits");
+    visit(sitting.press(Key::Escape).click("All keys"), "all keys");
+    visit(sitting.press_all(&[Key::Escape]).choose("Credits"), "credits");
     visit(sitting.press(Key::PageDown), "credits, further down");
     sitting.press(Key::Escape).choose("Classics");
     for label in ["Tile Run", "Jumper", "π from Collisions"] {
@@ -227,11 +243,15 @@ fn every_word_of_every_screen_comes_from_a_catalogue() {
 
 /// What is wrong with the lines of a screen: cut, outside of the window, on one another or across the edge of a button.
 pub fn faults(sitting: &Sitting, whole: &BTreeSet<String>) -> Vec<String> {
-    let (all, frame) = (lines(sitting), sitting.frame.area());
+    let (all, boxes, frame) = (lines(sitting), boxes(sitting), sitting.frame.area());
+    let texts = all.iter().map(|line| line.text.trim()).collect::<Vec<_>>().join(" ");
     let mut found = Vec::new();
     let inside = |area: &Area, of: &Area| area.min.x >= of.min.x - 1.0 && area.max().x <= of.max().x + 1.0;
     for (i, line) in all.iter().enumerate() {
-        if line.text.ends_with('…') && !whole.contains(&line.text) {
+        // Digits of π, and what stands in whole in a place of its own.
+        let begin = line.text.trim_end_matches('…');
+        let elsewhere = line.text.starts_with("π = ") || texts.matches(begin).count() > 1;
+        if line.text.ends_with('…') && !elsewhere && !whole.contains(&line.text) {
             found.push(format!("cut: {}", line.text));
         }
         let visible = frame.gap(&line.area) < 0.0;
@@ -244,64 +264,79 @@ pub fn faults(sitting: &Sitting, whole: &BTreeSet<String>) -> Vec<String> {
                 found.push(format!("on one another: {} | {}", line.text, other.text));
             }
         }
-        let button = sitting.app.memory.widgets().iter().find(|widget| widget.area.contains(line.area.centre()));
-        if let Some(button) = button.filter(|button| !inside(&line.area, &button.area)) {
-            found.push(format!("wider than {}: {}", button.label, line.text));
+        let mut around = boxes.iter().filter(|(layer, area)| *layer == line.layer && area.contains(line.area.centre()));
+        if around.any(|(_, area)| {
+            area.max().y + 1.0 < line.area.max().y || area.min.y - 1.0 > line.area.min.y || !inside(&line.area, area)
+        }) {
+            found.push(format!("out of its box: {}", line.text));
+        }
+    }
+    let widgets = sitting.app.memory.widgets();
+    for (i, widget) in widgets.iter().enumerate() {
+        if !frame.contains(widget.area.min) || widget.area.max().cmpgt(frame.max() + 0.5).any() {
+            found.push(format!("leaves the window: button {}", widget.label));
+        }
+        let within = |a: &Area, b: &Area| a.min.cmpge(b.min).all() && a.max().cmple(b.max()).all();
+        let apart = |a: &Area, b: &Area| a.gap(b) > -0.5 || within(a, b) || within(b, a);
+        for other in widgets[i + 1..].iter().filter(|other| !apart(&widget.area, &other.area)) {
+            found.push(format!("on one another: buttons {} | {}", widget.label, other.label));
         }
     }
     found
 }
 
-/// The faults of each stop of two tours.
-fn assert_no_worse(usual: Vec<(String, Vec<String>)>, found: Vec<(String, Vec<String>)>) {
-    assert_eq!(usual.len(), found.len());
-    let mut worse = BTreeSet::new();
-    for ((name, usual), (_, found)) in usual.into_iter().zip(found).filter(|(usual, found)| found.1.len() > usual.1.len()) {
-        worse.extend(found.into_iter().filter(|fault| !usual.contains(fault)).map(|fault| format!("{name}: {fault}")));
+/// The windows that each stop of a tour is shown in, pixels, and the interface's scale there, percent.
+const SHOWN: [((f32, f32), u8); 3] = [((900.0, 500.0), 100), ((1280.0, 720.0), 190), ((900.0, 500.0), 190)];
+
+/// All that a catalogue holds may end with an ellipsis.
+pub fn whole(language: Language) -> BTreeSet<String> {
+    let all = rows(Language::German).into_iter().chain(rows(language));
+    all.flat_map(|(english, text)| [english, text]).collect()
+}
+
+/// What is wrong with a screen in each of those windows.
+pub fn faults_in_windows(sitting: &mut Sitting, name: &str, whole: &BTreeSet<String>) -> Vec<String> {
+    let (before, mut found) = (sitting.frame, Vec::new());
+    for (size, scale) in SHOWN {
+        let window = Frame::of_window(size.into());
+        sitting.frame = sitting.app.screen().with_words(window, &Settings { scale, ..*sitting.app.settings() });
+        for _ in 0..2 {
+            sitting.give(Input { frame_time: 1e-6, ..Input::default() });
+        }
+        let small = lines(sitting).into_iter().filter(|line| scale == 190 && sitting.frame.text_height(line.style.size) < 23.0);
+        let small: Vec<String> = small.map(|line| format!("small: {}", line.text)).collect();
+        let all = faults(sitting, whole).into_iter().chain(small);
+        found.extend(all.map(|fault| format!("{name}, {} px, {scale} %: {fault}", size.0)));
     }
-    assert!(worse.is_empty(), "{} faults: {worse:#?}", worse.len());
+    sitting.frame = before;
+    sitting.rest();
+    found
 }
 
 fn assert_fits(language: Language) {
-    let frame = Frame::of_window(Vec2::new(900.0, 500.0));
-    let faults_in = |language: Language| {
-        let whole: BTreeSet<String> = rows(language).into_iter().flat_map(|(english, text)| [english, text]).collect();
-        let mut stops = Vec::new();
-        tour(language, frame, &mut |sitting, name| stops.push((name.to_owned(), faults(sitting, &whole))));
-        stops
-    };
-    let (english, other) = (faults_in(Language::English), faults_in(language));
-    assert_no_worse(english, other);
+    let (whole, mut found) = (whole(language), BTreeSet::new());
+    tour(language, Frame::default(), &mut |sitting, name| {
+        // The Lab's charts leave out what has no room.
+        if sitting.at() != "lab" {
+            found.extend(faults_in_windows(sitting, name, &whole));
+        }
+    });
+    assert!(found.is_empty(), "{} faults:\n{}", found.len(), found.into_iter().collect::<Vec<_>>().join("\n"));
 }
 
 #[test]
-fn german_fits_into_a_small_window() {
+fn english_fits_in_small_windows_and_large_words() {
+    assert_fits(Language::English);
+}
+
+#[test]
+fn german_fits_in_small_windows_and_large_words() {
     assert_fits(Language::German);
 }
 
 #[test]
-fn french_fits_into_a_small_window() {
+fn french_fits_in_small_windows_and_large_words() {
     assert_fits(Language::French);
-}
-
-/// Words that a player wants to be large are as high as a classroom needs, and those of no screen are cut by it.
-#[test]
-fn every_screen_has_room_for_large_words() {
-    let frame = Frame::of_window(Vec2::new(1280.0, 720.0));
-    let whole: BTreeSet<String> = rows(Language::German).into_iter().map(|(english, _)| english).collect();
-    let faults_in = |frame: Frame| {
-        let mut stops = Vec::new();
-        tour(Language::English, frame, &mut |sitting, name| {
-            // Flights and the editor have sizes of their own.
-            let is_page = !["flight", "editor"].contains(&sitting.at());
-            let small = lines(sitting).into_iter().filter(|line| frame.text_height(line.style.size) < 24.0);
-            let small: Vec<String> = small.map(|line| format!("small: {}", line.text)).collect();
-            assert!(frame.text <= 1.0 || !is_page || small.is_empty(), "{name}: {small:?}");
-            stops.push((name.to_owned(), if is_page { faults(sitting, &whole) } else { Vec::new() }));
-        });
-        stops
-    };
-    assert_no_worse(faults_in(frame), faults_in(frame.with_legible(1.9)));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The flights of a level: the one just flown, the level's own, and those of its board. One is watched or kept as a file, one or several are raced.
 
 use crate::draw::Style;
-use crate::draw::layout::{Area, TEXT, Vec2};
+use crate::draw::layout::{Area, Frame, TEXT, Vec2};
 use crate::level::Level;
 use crate::number::clock;
 use crate::scores::{Board, subject};
@@ -17,9 +17,10 @@ use std::ops::Range;
 
 /// Flights in view.
 const PAGE: usize = 10;
-/// Height of a row, and width of the panel.
+/// Height of a row, and width of the panel, also in heights of the text.
 const ROW: f32 = 40.0;
 const WIDTH: f32 = 920.0;
+const WIDTH_IN_TEXT: f32 = 50.0;
 /// From the panel's top to its first row, from the canvas' top to the panel, and from the panel down to the buttons.
 const HEAD: f32 = 48.0;
 const TOP: f32 = 120.0;
@@ -30,6 +31,15 @@ const ROW_INSET: f32 = 24.0;
 const BOX: f32 = 120.0;
 /// Where the columns stand, from the panel's left edge: whose, what it is, time and score (their right ends), the box (its middle).
 const COLUMNS: [f32; 5] = [40.0, 224.0, 660.0, 756.0, 828.0];
+
+fn width(frame: &Frame) -> f32 {
+    WIDTH.max(WIDTH_IN_TEXT * frame.text_height(TEXT))
+}
+
+/// Where a column stands in a panel of that width.
+fn column(number: usize, width: f32) -> Vec2 {
+    Vec2::new(COLUMNS[number] * width / WIDTH, 0.0)
+}
 /// What moves the choice.
 const KEYS: [Key; 6] = [Key::Up, Key::Down, Key::PageUp, Key::PageDown, Key::Home, Key::End];
 
@@ -124,7 +134,7 @@ impl Flights {
         self.shown = ui.scroll("flights", (self.candidates.len(), PAGE), bar, Turning::Wheel);
         for (line, index) in self.shown.clone().enumerate() {
             let top = rows + line as f32 * ROW;
-            let area = Area::new(panel.min.x + ROW_INSET, top + 2.0, WIDTH - 2.0 * ROW_INSET, ROW - 4.0);
+            let area = Area::new(panel.min.x + ROW_INSET, top + 2.0, panel.size.x - 2.0 * ROW_INSET, ROW - 4.0);
             if ui.input().click && area.contains(ui.input().pointer) {
                 self.chosen = index;
                 if ui.input().pointer.x > area.max().x - BOX {
@@ -140,7 +150,7 @@ impl Flights {
 
     fn show_row(&self, ui: &Ui<'_>, index: usize, left: Vec2) {
         let candidate = &self.candidates[index];
-        let column = |i: usize| left + Vec2::new(COLUMNS[i], 0.0);
+        let column = |i: usize| left + column(i, width(&ui.frame()));
         let words = Style::new(TEXT, theme::text()).middle();
         ui.text(&candidate.name, column(0), words);
         ui.text(&candidate.about, column(1), Style::new(TEXT, theme::quiet()).middle());
@@ -159,9 +169,9 @@ impl Flights {
 impl Screen for Flights {
     fn show(&mut self, ui: &mut Ui<'_>) -> Option<Request> {
         self.choose(ui);
-        let size = ui.frame().size;
-        let corner = Vec2::new((size.x - WIDTH) / 2.0, TOP + (size.y - 720.0) / 2.0);
-        let panel = Area { min: corner, size: Vec2::new(WIDTH, HEAD + PAGE as f32 * ROW + 16.0) };
+        let (size, width) = (ui.frame().size, width(&ui.frame()));
+        let corner = Vec2::new((size.x - width) / 2.0, TOP + (size.y - 720.0) / 2.0);
+        let panel = Area { min: corner, size: Vec2::new(width, HEAD + PAGE as f32 * ROW + 16.0) };
         ui.page(&tr!("Flights of {subject}", subject = self.subject), panel.min.y - 64.0);
         ui.panel(panel);
         let quiet = Style::new(TEXT, theme::quiet()).middle();
@@ -171,8 +181,8 @@ impl Screen for Flights {
             (tr("Score"), 3, quiet.right()),
             (tr("Race"), 4, quiet.centred()),
         ];
-        for (head, column, style) in heads {
-            ui.text(head, panel.min + Vec2::new(COLUMNS[column], HEAD / 2.0 + 2.0), style);
+        for (head, number, style) in heads {
+            ui.text(head, panel.min + column(number, width) + Vec2::new(0.0, HEAD / 2.0 + 2.0), style);
         }
         if self.candidates.is_empty() {
             ui.text(tr("No flights yet: fly one and save its score."), panel.centre(), quiet.centred());

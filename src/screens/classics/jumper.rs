@@ -241,21 +241,23 @@ impl Jumper {
         } else {
             [(tr!("{left} {right} or ← → walk", left, right = right_key), 0), (tr!("{jump}, ↑ or Space jumps", jump), 0)]
         };
-        for (line, (words, player)) in keys.iter().enumerate() {
-            let at = Vec2::new(right, 152.0 + 28.0 * line as f32);
-            canvas.text(words, at, Style { colour: colour_of(*player), ..quiet }.mono());
-        }
-        for (line, words) in
-            [tr("Jump once more in the air;"), tr("let go early for a low jump."), "", tr("Esc pauses, R restarts.")]
-                .iter()
-                .enumerate()
-        {
-            canvas.text(words, Vec2::new(right, 224.0 + 28.0 * line as f32), quiet);
-        }
+        let (mut at, pitch) = (Vec2::new(right, 152.0), canvas.line_height(TEXT).max(28.0));
+        let mut paragraph = |words: &str, style: Style| {
+            for line in widgets::lines(canvas, words, right - PADDING, style) {
+                canvas.text(&line, at, style);
+                at.y += pitch;
+            }
+        };
+        keys.iter().for_each(|(words, player)| paragraph(words, Style { colour: colour_of(*player), ..quiet }.mono()));
+        paragraph("", quiet);
+        paragraph(tr("Jump once more in the air;"), quiet);
+        paragraph(tr("let go early for a low jump."), quiet);
+        paragraph("", quiet);
+        paragraph(tr("Esc pauses, R restarts."), quiet);
+        paragraph("", quiet);
         for (number, (player, _)) in self.scene.players().enumerate() {
             if player.is_out() && self.is_of_two() {
-                let at = Vec2::new(right, 360.0 + 28.0 * number as f32);
-                canvas.text(&tr!("Player {number} is out", number = number + 1), at, Style { colour: theme::bad(), ..quiet });
+                paragraph(&tr!("Player {number} is out", number = number + 1), Style { colour: theme::bad(), ..quiet });
             }
         }
     }

@@ -1,7 +1,6 @@
 //! The commands: the row of buttons above the picture, and the keys that do the same.
 
 use super::ask::Ask;
-use super::layout::INSIDE;
 use super::tools::EditorTool;
 use super::{Editor, EditorPass, view};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
@@ -35,14 +34,14 @@ impl Editor {
     pub(super) fn show_commands(&mut self, ui: &mut Ui<'_>, pass: &mut EditorPass) {
         let canvas = ui.canvas();
         canvas.rectangle(self.panes.top, theme::panel());
-        let areas = self.panes.commands(AT_LEFT, COMMANDS.len() - AT_LEFT);
+        let (areas, name) = self.panes.commands(AT_LEFT, COMMANDS.len() - AT_LEFT);
         let mut pressed = None;
         for ((label, key), area) in COMMANDS.into_iter().zip(&areas) {
             let touch = ui.touch(label, *area, WidgetKind::Tool);
             self.draw_command(canvas, (label, key), *area, touch.hover);
             pressed = pressed.or(touch.pressed.then_some(label));
         }
-        self.draw_name(canvas, (areas[AT_LEFT - 1].max().x, areas[AT_LEFT].min.x), pass);
+        self.draw_name(canvas, name, pass);
         if let Some(label) = pressed.filter(|_| pass.open) {
             pass.close(self.command(label));
         }
@@ -66,15 +65,12 @@ impl Editor {
         canvas.text(tr(key), line(0.27), Style::new(DETAILS, theme::quiet()).centred().middle().mono());
     }
 
-    fn draw_name(&self, canvas: &Canvas, (from, to): (f32, f32), pass: &mut EditorPass) {
+    fn draw_name(&self, canvas: &Canvas, area: Area, pass: &mut EditorPass) {
         let unsaved = self.is_unsaved();
         let name = if unsaved { tr!("{level} · not saved", level = self.name) } else { self.name.clone() };
         let colour = if unsaved { theme::accent() } else { theme::text() };
-        let middle = Vec2::new((from + to) / 2.0, self.panes.top.centre().y);
-        let room = to - from - 2.0 * INSIDE;
-        let area = Area::around(middle, Vec2::new(room, self.panes.top.size.y));
-        let name = pass.cut(canvas, &name, (area, room), Style::new(DETAILS, colour));
-        widgets::fitted(canvas, &name, middle, room, &[BUTTON_TEXT, TEXT, DETAILS], colour);
+        let name = pass.cut(canvas, &name, (area, area.size.x), Style::new(DETAILS, colour));
+        widgets::fitted(canvas, &name, area.centre(), area.size.x, &[BUTTON_TEXT, TEXT, DETAILS], colour);
     }
 
     pub(super) fn update_keys(&mut self, input: &Input, pass: &mut EditorPass) {

@@ -5,7 +5,10 @@ use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
 
 /// A command: the height of its two lines in heights of their texts, and the width of its key, in letters.
 const TWO_LINES: f32 = 1.15;
-const COMMAND: f32 = 7.2;
+const COMMAND: f32 = 7.4;
+/// The commands, and the room between them for the level's name, in letters: where it is missing they take two rows.
+const COMMANDS: f32 = 11.0;
+const NAME: f32 = 8.0;
 /// Width of the tools: their mark and the space around it, and their longest name in heights of text.
 const TOOL_MARK: f32 = 50.0;
 const TOOL_NAME: f32 = 5.7;
@@ -18,7 +21,10 @@ const MAP: Vec2 = Vec2::new(160.0, 96.0);
 pub const INSIDE: f32 = 8.0;
 pub const BETWEEN: f32 = 4.0;
 pub const PROBLEM_LINES: usize = 4;
-pub const OFFERS: usize = 8;
+const OFFERS: usize = 8;
+/// The most fields, those of the level, and the most room of the heading above them, canvas units.
+const FIELDS: f32 = 21.0;
+const HEAD: f32 = 60.0;
 
 /// How large words are in a window with `pixel` canvas units a pixel: they grow less than a large window.
 pub fn text_scale(pixel: f32) -> f32 {
@@ -39,6 +45,9 @@ pub struct Panes {
     pub field: f32,
     /// Width of a letter of small text.
     pub letter: f32,
+    command: Vec2,
+    /// From the right pane's top to its first field.
+    head: f32,
     text: f32,
 }
 
@@ -46,9 +55,13 @@ impl Panes {
     /// The panes in that frame, with `problems` lines of problems.
     pub fn new(frame: &Frame, problems: usize) -> Self {
         let height_of_text = frame.text_height(DETAILS);
-        let (line, letter, text) = (height_of_text * LINE, height_of_text * MONO_ADVANCE, frame.text);
+        let (line, letter, text) = (height_of_text * LINE, height_of_text * MONO_ADVANCE, frame.text.min(1.0));
         let Vec2 { x: width, y: height } = frame.size;
-        let top = (height_of_text + frame.text_height(TEXT)) * TWO_LINES + 1.5 * INSIDE;
+        let high = (height_of_text + frame.text_height(TEXT)) * TWO_LINES + 1.5 * INSIDE;
+        let command = Vec2::new(COMMAND * letter + 3.0 * INSIDE, high - 2.0 * BETWEEN);
+        let in_a_row = COMMANDS * (command.x + BETWEEN) + NAME * letter <= width;
+        let top = if in_a_row { high } else { 2.0 * high - BETWEEN };
+        let head = (3.0 * INSIDE + 2.0 * line).min(HEAD);
         let left = TOOL_MARK + TOOL_NAME * height_of_text;
         let right = (LABEL + CELL) * letter + 5.0 * INSIDE;
         let bottom = (problems as f32 + 1.0) * line + 1.5 * INSIDE;
@@ -62,18 +75,26 @@ impl Panes {
             middle,
             map: Area { min: middle.max() - Vec2::splat(1.5 * INSIDE) - map, size: map },
             line,
-            field: (frame.text_height(TEXT) * 1.5).max(28.0 * text),
+            field: (frame.text_height(TEXT) * 1.5).max(28.0 * text).min((height - top - head) / FIELDS),
             letter,
+            command,
+            head,
             text,
         }
     }
 
-    /// A row of commands from the left, and as many from the right.
-    pub fn commands(&self, left: usize, right: usize) -> Vec<Area> {
-        let size = Vec2::new(COMMAND * self.letter + 3.0 * INSIDE, self.top.size.y - 2.0 * BETWEEN);
-        let from_left = (0..left).map(|i| INSIDE + i as f32 * (size.x + BETWEEN));
-        let from_right = (0..right).map(|i| self.top.size.x - INSIDE - (right - i) as f32 * (size.x + BETWEEN) + BETWEEN);
-        from_left.chain(from_right).map(|x| Area { min: Vec2::new(x, BETWEEN), size }).collect()
+    /// A row of commands from the left, and as many from the right, in the same row or the one below; the room of the level's name beside
+    /// the latter.
+    pub fn commands(&self, left: usize, right: usize) -> (Vec<Area>, Area) {
+        let (size, end) = (self.command, self.top.size.x - INSIDE);
+        let low = self.top.size.y - BETWEEN - size.y;
+        let from_left = (0..left).map(|i| Vec2::new(INSIDE + i as f32 * (size.x + BETWEEN), BETWEEN));
+        let from_right = (0..right).map(|i| Vec2::new(end - (right - i) as f32 * (size.x + BETWEEN) + BETWEEN, low));
+        let areas: Vec<Area> = from_left.chain(from_right).map(|min| Area { min, size }).collect();
+        let before = areas[..left].last().filter(|area| area.min.y == low).map_or(0.0, |area| area.max().x);
+        let name =
+            Area::new(before + INSIDE, low, areas[left..].first().map_or(end, |area| area.min.x) - before - 2.0 * INSIDE, size.y);
+        (areas, name)
     }
 
     pub fn tools(&self, count: usize) -> Vec<Area> {
@@ -84,15 +105,22 @@ impl Panes {
 
     /// The field of a column, counted from 0 below the panel's heading.
     pub fn field(&self, index: usize) -> Area {
-        let top = self.right.min.y + 3.0 * INSIDE + 2.0 * self.line + index as f32 * self.field;
+        let top = self.right.min.y + self.head + index as f32 * self.field;
         let left = self.right.min.x + 2.0 * INSIDE + LABEL * self.letter;
-        Area::new(left, top, self.right.max().x - INSIDE - left, self.field - BETWEEN)
+        // Large words stand closer.
+        let apart = (self.field - self.letter / MONO_ADVANCE).clamp(1.0, BETWEEN);
+        Area::new(left, top, self.right.max().x - INSIDE - left, self.field - apart)
     }
 
     /// The line of a picture that is offered, counted from 0, below `fields` fields and a heading.
     pub fn offer(&self, fields: usize, index: usize) -> Area {
         let top = self.field(fields).min.y + (index + 1) as f32 * self.line;
         Area::new(self.right.min.x + INSIDE, top, self.right.size.x - 2.0 * INSIDE, self.line)
+    }
+
+    /// How many pictures have room there.
+    pub fn offers(&self, fields: usize) -> usize {
+        (((self.right.max().y - self.offer(fields, 0).min.y) / self.line) as usize).min(OFFERS)
     }
 
     /// The line of a problem, counted from 0.
@@ -124,7 +152,8 @@ mod tests {
             assert!(parts.offer(16, 0).max().y < frame.size.y, "the settings: {width} × {height}");
             assert!(parts.tools(16).last().unwrap().max().y <= frame.size.y);
             assert!(parts.problem(PROBLEM_LINES - 1).max().y <= frame.size.y + 0.1);
-            let commands = parts.commands(8, 3);
+            let (commands, name) = parts.commands(8, 3);
+            assert!(name.size.x >= NAME * parts.letter && parts.offers(13) >= 3);
             assert!(commands[7].max().x < commands[8].min.x && commands[10].max().x <= width.max(frame.size.x));
         }
     }

@@ -188,9 +188,10 @@ impl Screen for Editor {
         !self.is_unsaved()
     }
 
-    /// A large window is left to the picture. Its panes have no room for larger words.
-    fn with_words(&self, frame: Frame, _: &Settings) -> Frame {
-        frame.with_text(layout::text_scale(frame.pixel))
+    /// A large window is left to the picture.
+    fn with_words(&self, frame: Frame, settings: &Settings) -> Frame {
+        let scale = (f32::from(settings.scale) / 100.0).max(1.0);
+        frame.with_legible(layout::text_scale(frame.pixel) * scale)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The panel at the right: the columns of the selection, or the level's settings where that is empty, a field each. A field is written into
 //! the files as it is typed.
 
-use super::layout::{BETWEEN, INSIDE, OFFERS};
+use super::layout::{BETWEEN, INSIDE};
 use super::nature::{draw_material, show_worlds};
 use super::{Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2, wrapped};
@@ -242,7 +242,7 @@ impl Editor {
         if !shows || self.offered.is_empty() {
             return (None, self.panes.field(fields).min.y);
         }
-        let offers = &self.offered[..self.offered.len().min(OFFERS)];
+        let offers = &self.offered[..self.offered.len().min(self.panes.offers(fields))];
         let style = Style::new(DETAILS, theme::quiet()).mono();
         let more = self.offered.len() - offers.len();
         let words = if more > 0 { tr!("Pictures, and {more} more to write:", more) } else { tr("Pictures to click:").to_owned() };

@@ -78,7 +78,7 @@ impl Screen for Flight {
 
     fn with_words(&self, frame: Frame, settings: &Settings) -> Frame {
         let scale = f32::from(settings.scale) / 100.0;
-        if self.open.pause.is_none() { frame.with_text(scale) } else { frame.with_legible(scale.max(1.0)) }
+        frame.with_legible(if self.open.pause.is_none() { scale } else { scale.max(1.0) })
     }
 
     fn tell_of_settings(&mut self, settings: &Settings, problems: &[String]) {

@@ -57,7 +57,7 @@ impl Flight {
     /// The part of the canvas above the controls of a reel.
     pub(super) fn above_controls(&self, frame: &Frame) -> Frame {
         let foot = if self.is_watched() { FOOT } else { 0.0 };
-        Frame { size: Vec2::new(frame.size.x - self.sheet_width(), frame.size.y - foot), ..*frame }
+        Frame { size: Vec2::new(frame.size.x - self.sheet_width(frame), frame.size.y - foot), ..*frame }
     }
 
     /// A frame of a reel, with the input that its instruments leave.

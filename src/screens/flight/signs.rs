@@ -4,7 +4,7 @@
 
 use super::Flight;
 use crate::draw::layout::{
-    Area, DETAILS, Frame, GRID, HEADING, LINE, MONO_ADVANCE, PADDING, TEXT, TITLE, Vec2, text_room, wrapped,
+    Area, DETAILS, Frame, GRID, HEADING, LINE, MONO_ADVANCE, PADDING, TEXT, TITLE, Vec2, lines, text_room, words_width, wrapped,
 };
 use crate::draw::{Canvas, Style};
 use crate::game::{Outcome, goals};
@@ -29,25 +29,28 @@ const FROM_EDGE: f32 = 64.0;
 const ABOVE_FUEL: f32 = 52.0;
 const TEST: &str = "A test flight: Esc or F5 leads back to the editor";
 
-/// Its size with the space around the words.
-fn sign_size(words: &str, frame: &Frame) -> Vec2 {
-    text_room(words, frame.text_height(TEXT)) + Vec2::new(2.0, 1.0) * PADDING
+/// Its words in lines that are no wider than the room, and its size with the space around them.
+fn sign(words: &str, frame: &Frame, room: f32) -> (Vec<String>, Vec2) {
+    let (height, around) = (frame.text_height(TEXT), Vec2::new(2.0, 1.0) * PADDING);
+    let lines = lines(words, room - around.x, |line| words_width(line, height));
+    let longest = lines.iter().map(|line| words_width(line, height)).fold(0.0, f32::max);
+    let size = Vec2::new(longest, lines.len() as f32 * height * LINE) + around;
+    (lines, size)
 }
 
 impl Flight {
     /// The sign of a pace other than the usual one, or of an ended flight that stays: words and place at the flight's foot.
-    fn time_sign(&self, frame: &Frame) -> Option<(String, Area)> {
+    fn time_sign(&self, frame: &Frame) -> Option<(Vec<String>, Area)> {
         let stays = self.run.game.outcome() != Outcome::Running && self.seen.instruments.stays() && !self.seen.observer.frozen();
         let ended = stays.then(|| tr("The flight has ended: Enter leads on").to_owned());
         let words = ended
             .or_else(|| self.start_words())
             .or_else(|| self.seen.observer.words(self.run.game.ticks(), self.run.game.tick_rate()));
         let words = words.or_else(|| self.rewind_words(self.seen.observer.keys()))?;
-        let mut size = sign_size(&words, frame);
         let room = self.seen.instruments.room(&self.above_controls(frame)).size;
-        let top = room.y - self.time_room(frame);
-        size.x = size.x.min(room.x - 2.0 * GRID);
-        Some((words, Area { min: Vec2::new((room.x - size.x) / 2.0, top), size }))
+        let (lines, size) = sign(&words, frame, room.x - 2.0 * GRID);
+        let foot = room.y - self.above_foot();
+        Some((lines, Area { min: Vec2::new((room.x - size.x) / 2.0, foot - size.y), size }))
     }
 
     /// Of an experiment that stands at its start.
@@ -62,13 +65,18 @@ impl Flight {
 
     /// From the foot of the flight up to the top of that sign, whether there is one or not.
     pub(super) fn time_room(&self, frame: &Frame) -> f32 {
-        let above = match (self.open.test, self.run.game.level().ship_plays()) {
+        let shown = self.time_sign(frame).map(|(_, area)| area.size.y);
+        self.above_foot() + shown.unwrap_or_else(|| sign("", frame, frame.size.x).1.y)
+    }
+
+    /// From the foot of the flight up to that of the sign.
+    fn above_foot(&self) -> f32 {
+        match (self.open.test, self.run.game.level().ship_plays()) {
             // The words on a test flight stand there.
             (true, _) => 1.5 * ABOVE_FUEL,
             (false, true) => ABOVE_FUEL,
             (false, false) => GRID,
-        };
-        above + sign_size("", frame).y
+        }
     }
 
     fn test_sign(&self, frame: &Frame) -> Option<Area> {
@@ -77,10 +85,10 @@ impl Flight {
     }
 
     /// The sign of the loss of the attempt before, below the row of the timer, away from the usual starts of ships.
-    fn lost_sign(&self, frame: &Frame) -> Option<(String, Area)> {
+    fn lost_sign(&self, frame: &Frame) -> Option<(Vec<String>, Area)> {
         let death = self.lost().filter(|_| self.open.news.is_none())?;
         let words = tr!("{death} · Enter: the result", death);
-        let size = sign_size(&words, frame);
+        let (words, size) = sign(&words, frame, frame.size.x - 2.0 * GRID);
         let top = HudLayout::new(frame).status.max().y + PADDING;
         Some((words, Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size }))
     }
@@ -116,10 +124,13 @@ impl Flight {
         self.draw_offer(canvas);
         let lost = self.lost_sign(canvas.frame()).map(|(words, area)| (words, area, theme::panel().faded(0.9)));
         let time = self.time_sign(canvas.frame()).map(|(words, area)| (words, area, theme::panel()));
-        for (words, area, fill) in lost.into_iter().chain(time) {
+        for (lines, area, fill) in lost.into_iter().chain(time) {
             canvas.end_layer();
             widgets::panel_in(canvas, area, fill, theme::panel_edge());
-            canvas.text(&words, area.centre(), Style::new(TEXT, theme::accent()).middle().centred());
+            for (i, words) in lines.iter().enumerate() {
+                let down = (i as f32 + 0.5 - 0.5 * lines.len() as f32) * canvas.line_height(TEXT);
+                canvas.text(words, area.centre() + Vec2::new(0.0, down), Style::new(TEXT, theme::accent()).middle().centred());
+            }
         }
     }
 
@@ -299,12 +310,14 @@ impl Flight {
             return;
         }
         let (frame, line) = (ui.frame(), ui.frame().text_height(TEXT) * LINE);
-        let size = Vec2::new((frame.size.x - 2.0 * PADDING).min(960.0), given.len() as f32 * line + PADDING);
+        let (width, style) = ((frame.size.x - 2.0 * PADDING).min(960.0), Style::new(TEXT, theme::accent()).centred().middle());
+        let cut = |hint: &String| widgets::lines(ui.canvas(), tr(hint), width - 2.0 * PADDING, style);
+        let lines: Vec<String> = given.into_iter().flat_map(cut).collect();
+        let size = Vec2::new(width, lines.len() as f32 * line + PADDING);
         let top = (foot - PADDING - size.y).max(PADDING);
         ui.panel(Area { min: Vec2::new((frame.size.x - size.x) / 2.0, top), size });
-        for (i, hint) in given.into_iter().enumerate() {
-            let middle = Vec2::new(frame.size.x / 2.0, top + 0.5 * PADDING + (i as f32 + 0.5) * line);
-            ui.fitted(tr(hint), middle, &[TEXT, DETAILS], theme::accent());
+        for (i, words) in lines.iter().enumerate() {
+            ui.text(words, Vec2::new(frame.size.x / 2.0, top + 0.5 * PADDING + (i as f32 + 0.5) * line), style);
         }
     }
 }

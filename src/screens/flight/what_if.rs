@@ -285,7 +285,7 @@ impl Flight {
 
     /// The sign's upper left corner and the room to its right: between the timer and the panel, or below that where no room is left.
     pub(super) fn what_if_room(&self, frame: &Frame) -> (Vec2, f32) {
-        let (hud, end) = (HudLayout::new(frame).status, frame.size.x - self.sheet_width());
+        let (hud, end) = (HudLayout::new(frame).status, frame.size.x - self.sheet_width(frame));
         let corner = Vec2::new(hud.max().x + GRID, hud.min.y);
         match self.seen.instruments.vary_area() {
             Some(panel) if panel.min.x - corner.x < NARROWEST => {

@@ -11,11 +11,14 @@ use crate::screens::screen::{Effect, Request};
 use crate::session::journal::{Reading, Worksheet};
 use crate::settings::Action;
 use crate::ui::input::Input;
-use crate::ui::{EntryEvent, Ui};
+use crate::ui::scroll::BAR_WIDTH;
+use crate::ui::{EntryEvent, Turning, Ui};
 use crate::view::{theme, widgets};
 use crate::words::tr;
 
+/// Of the sheet, also in heights of the text.
 const WIDTH: f32 = 552.0;
+const WIDTH_IN_TEXT: f32 = 26.0;
 const PREDICTION: &str = "Your prediction";
 const ANSWER: &str = "Answer";
 const SAVE: &str = "Save";
@@ -23,11 +26,15 @@ const NO_PREDICTION: &str = "Make a prediction first.";
 const UNSTARTED: &str = "Let the experiment go first.";
 const UNREAD: &str = "Write down a reading first: the answer comes last.";
 const FIELD: f32 = 38.0;
-/// The width of the table's columns but the first: reading, tick, verdict.
+/// The least width of the table's columns but the first: reading, tick, verdict.
 const COLUMNS: [f32; 3] = [104.0, 60.0, 28.0];
-/// The pitch of the table's rows, in lines, and the lines that stay below them.
+/// The pitch of the table's rows, in lines, and the room below the sheet's buttons for what is not written yet, canvas units.
 const PITCH: std::ops::RangeInclusive<f32> = 1.0..=1.5;
-const BELOW: f32 = 8.0;
+const BELOW: f32 = 72.0;
+
+fn width(frame: &Frame) -> f32 {
+    WIDTH.max(WIDTH_IN_TEXT * frame.text_height(DETAILS))
+}
 
 impl Flight {
     /// The buttons of an experiment, at the top left: a label, the words, and the place.
@@ -54,17 +61,14 @@ impl Flight {
     }
 
     fn sheet_area(&self, frame: &Frame) -> Option<Area> {
-        let size = Vec2::new(WIDTH, frame.size.y - 2.0 * GRID);
-        self.open
-            .sheet
-            .as_ref()
-            .filter(|sheet| sheet.open)
-            .map(|_| Area { min: Vec2::new(frame.size.x - WIDTH - GRID, GRID), size })
+        let size = Vec2::new(width(frame), frame.size.y - 2.0 * GRID);
+        let open = self.open.sheet.as_ref().filter(|sheet| sheet.open);
+        open.map(|_| Area { min: Vec2::new(frame.size.x - size.x - GRID, GRID), size })
     }
 
     /// The width that the sheet takes of the canvas.
-    pub(super) fn sheet_width(&self) -> f32 {
-        if self.open.sheet.as_ref().is_some_and(|sheet| sheet.open) { WIDTH + 2.0 * GRID } else { 0.0 }
+    pub(super) fn sheet_width(&self, frame: &Frame) -> f32 {
+        self.sheet_area(frame).map_or(0.0, |area| area.size.x + 2.0 * GRID)
     }
 
     /// Shows both, and takes their part out of the input.
@@ -74,7 +78,7 @@ impl Flight {
         let buttons = self.experiment_buttons(&frame);
         ui.by_pointer(|ui| {
             for (label, words, area) in &buttons {
-                let on = if *label == Action::Sheet.label() { self.sheet_width() > 0.0 } else { self.seen.picture };
+                let on = if *label == Action::Sheet.label() { self.sheet_width(&frame) > 0.0 } else { self.seen.picture };
                 let style = Style::new(DETAILS, if on { theme::accent() } else { theme::text() }).centred();
                 if ui.small_button((label, words), *area, style) {
                     pressed = Some(*label);
@@ -143,7 +147,14 @@ impl Worksheet {
         ui.group();
         self.show_prediction(ui, &mut pen);
         ui.group();
-        self.show_table(ui, &mut pen, (inner.max().y, tick));
+        let (words, colour) = match &self.message {
+            Ok(words) => (words.clone(), theme::quiet()),
+            Err(problem) => (problem.clone(), theme::bad()),
+        };
+        let answer = if self.answered { tr(&self.experiment.answer).to_owned() } else { String::new() };
+        let written = pen.height(&answer, TEXT) + pen.height(&words, DETAILS);
+        let foot = inner.max().y - FIELD - GRID - written.max(BELOW);
+        self.show_table(ui, &mut pen, (foot, tick));
         ui.group();
         let places = [0.0, 0.5].map(|part| Area::new(pen.at.x + part * inner.size.x, pen.at.y, 0.5 * inner.size.x - GRID, FIELD));
         let mut pressed = None;
@@ -153,14 +164,8 @@ impl Worksheet {
             }
         }
         pen.at.y += FIELD + GRID;
-        if self.answered {
-            pen.write(tr(&self.experiment.answer), TEXT, theme::good());
-        }
-        let (words, colour) = match &self.message {
-            Ok(words) => (words, theme::quiet()),
-            Err(problem) => (problem, theme::bad()),
-        };
-        pen.write(words, DETAILS, colour);
+        pen.write(&answer, TEXT, theme::good());
+        pen.write(&words, DETAILS, colour);
         self.act(pressed?)
     }
 
@@ -183,7 +188,7 @@ impl Worksheet {
     fn show_prediction(&mut self, ui: &mut Ui<'_>, pen: &mut Paragraphs<'_>) {
         let canvas = ui.canvas();
         canvas.text(tr(PREDICTION), pen.at, Style::new(DETAILS, theme::quiet()));
-        pen.at.y += canvas.line_height(DETAILS);
+        pen.at.y += canvas.line_height(DETAILS) + 0.5 * GRID;
         let (whole, choices) = (Area { min: pen.at, size: Vec2::new(pen.width, FIELD) }, &self.experiment.choices);
         let unit = self.experiment.predicted().map_or_else(String::new, |wanted| wanted.unit);
         let (prediction, style) = (self.written.prediction.clone(), Style::new(TEXT, theme::text()).middle());
@@ -228,29 +233,33 @@ impl Worksheet {
     /// A row a quantity, below a heading where several in turn are of one thing; `foot` is where the panel's room ends.
     fn show_table(&mut self, ui: &mut Ui<'_>, pen: &mut Paragraphs<'_>, (foot, tick): (f32, u64)) {
         let canvas = ui.canvas();
-        let widest = pen.width - COLUMNS.iter().sum::<f32>() - GRID;
-        let rows = rows(&self.experiment.readings, |words| canvas.width(words, Style::new(DETAILS, theme::text())) <= widest);
+        let quiet = Style::new(DETAILS, theme::quiet()).middle();
+        let heads = [tr("Reading"), tr("Tick"), ""].map(|words| canvas.width(words, quiet) + 2.0 * GRID);
+        let columns: [f32; 3] = std::array::from_fn(|column| COLUMNS[column].max(heads[column]));
+        let widest = pen.width - columns.iter().sum::<f32>() - GRID;
+        let rows = rows(&self.experiment.readings, |words, indent| widgets::lines(canvas, words, widest - indent, quiet));
         if rows.is_empty() {
             return;
         }
         let line = canvas.line_height(DETAILS);
-        let room = foot - pen.at.y - BELOW * line;
-        let pitch = (room / (rows.len() + 1) as f32).clamp(PITCH.start() * line, PITCH.end() * line);
+        let pitch = ((foot - pen.at.y) / (rows.len() + 1) as f32).clamp(PITCH.start() * line, PITCH.end() * line);
+        // A table for which there is no room scrolls.
+        let page = (((foot - pen.at.y) / pitch + 0.01) as usize).clamp(2, rows.len() + 1) - 1;
         let right = pen.at.x + pen.width;
-        let [cell, ticked, verdict] = [0, 1, 2].map(|column| right - COLUMNS[column..].iter().sum::<f32>());
-        let quiet = Style::new(DETAILS, theme::quiet()).middle();
+        let [cell, ticked, verdict] = [0, 1, 2].map(|column| right - columns[column..].iter().sum::<f32>());
         let middle = |row: usize| pen.at.y + (row as f32 + 0.5) * pitch;
         for (words, x) in [(tr("Quantity"), pen.at.x), (tr("Reading"), cell), (tr("Tick"), ticked + GRID)] {
             canvas.text(words, Vec2::new(x, middle(0)), quiet);
         }
-        for (row, (words, index)) in rows.iter().enumerate() {
-            let (y, indent) = (middle(row + 1), if words.starts_with(INDENT) { PADDING } else { 0.0 });
-            let style = if index.is_some() { Style::new(DETAILS, theme::text()).middle() } else { quiet };
-            let words = widgets::cut(canvas, words.trim_start(), cell - pen.at.x - indent - GRID, style);
-            canvas.text(&words, Vec2::new(pen.at.x + indent, y), style);
+        let bar = Area::new(right + 0.25 * GRID, pen.at.y + pitch, BAR_WIDTH, page as f32 * pitch);
+        let shown = ui.scroll("table", (rows.len(), page), bar, Turning::Wheel);
+        for (row, (words, indent, index)) in rows[shown].iter().enumerate() {
+            let y = middle(row + 1);
+            let style = if indent.is_some() { Style::new(DETAILS, theme::text()).middle() } else { quiet };
+            canvas.text(words, Vec2::new(pen.at.x + indent.unwrap_or(0.0), y), style);
             let Some(index) = *index else { continue };
             let (wanted, Reading { text, tick: at }) = (&self.experiment.readings[index], self.written.readings[index].clone());
-            let area = Area::around(Vec2::new(cell + 0.5 * COLUMNS[0], y), Vec2::new(COLUMNS[0], pitch - 3.0));
+            let area = Area::around(Vec2::new(cell + 0.5 * columns[0], y), Vec2::new(columns[0], pitch - 3.0));
             if ui.entry(&wanted.what, area, (&text, Style::new(DETAILS, theme::text())), &mut self.entry) {
                 match (self.answered, self.begun || tick > 0) {
                     (true, _) => self.message = Err(tr("The answer is shown: the readings stay as they are.").to_owned()),
@@ -262,14 +271,14 @@ impl Worksheet {
                 canvas.text(&at.to_string(), Vec2::new(ticked + GRID, y), quiet.mono());
             }
             match wanted.judge(&text) {
-                Some(true) => widgets::tick(canvas, Vec2::new(verdict + 0.5 * COLUMNS[2], y), 7.0, theme::good()),
+                Some(true) => widgets::tick(canvas, Vec2::new(verdict + 0.5 * columns[2], y), 7.0, theme::good()),
                 Some(false) => {
-                    canvas.text("×", Vec2::new(verdict + 0.5 * COLUMNS[2], y), Style::new(TEXT, theme::text()).middle().centred())
+                    canvas.text("×", Vec2::new(verdict + 0.5 * columns[2], y), Style::new(TEXT, theme::text()).middle().centred())
                 }
                 None => {}
             }
         }
-        pen.at.y = middle(rows.len()) + 0.5 * pitch + GRID;
+        pen.at.y = middle(page) + 0.5 * pitch + GRID;
     }
 
     fn act(&mut self, pressed: &str) -> Option<Request> {
@@ -295,11 +304,9 @@ impl Worksheet {
     }
 }
 
-const INDENT: char = ' ';
-
-/// The words of the table's rows, each with the index of its quantity: several in turn that are of one thing stand below its name, and so
-/// does one that does not fit into a line.
-fn rows(wanted: &[Wanted], fits: impl Fn(&str) -> bool) -> Vec<(String, Option<usize>)> {
+/// The lines of the table's rows: words, how far a quantity's are set in, and the quantity's index on its last line. Several in turn that are of
+/// one thing stand below its name, and so does one that does not fit into a line; `cut` cuts words that are set in into lines.
+fn rows(wanted: &[Wanted], cut: impl Fn(&str, f32) -> Vec<String>) -> Vec<(String, Option<f32>, Option<usize>)> {
     let of = |wanted: &Wanted| wanted.what.split_once(", ").map(|(of, _)| of.to_owned());
     let mut rows = Vec::new();
     for (i, one) in wanted.iter().enumerate() {
@@ -307,14 +314,16 @@ fn rows(wanted: &[Wanted], fits: impl Fn(&str) -> bool) -> Vec<(String, Option<u
         let (follows, leads) = (same(i.checked_sub(1).and_then(|before| wanted.get(before))), same(wanted.get(i + 1)));
         let unit = if one.unit.is_empty() { String::new() } else { format!(" ({})", one.unit) };
         let line = format!("{}{unit}", one.name());
-        let grouped = one.what.split_once(", ").filter(|_| follows || leads || !fits(&line));
+        let grouped = one.what.split_once(", ").filter(|_| follows || leads || cut(&line, 0.0).len() > 1);
         if let Some((of, _)) = grouped.filter(|_| !follows) {
-            rows.push((tr(of).to_owned(), None));
+            rows.extend(cut(tr(of), 0.0).into_iter().map(|words| (words, None, None)));
         }
-        rows.push(match grouped {
-            Some((_, quantity)) => (format!("{INDENT}{}{unit}", tr(quantity)), Some(i)),
-            None => (line, Some(i)),
-        });
+        let words = grouped.map_or(line, |(_, quantity)| format!("{}{unit}", tr(quantity)));
+        let indent = if grouped.is_some() { PADDING } else { 0.0 };
+        rows.extend(cut(&words, indent).into_iter().map(|words| (words, Some(indent), None)));
+        if let Some((_, _, index)) = rows.last_mut() {
+            *index = Some(i);
+        }
     }
     rows
 }

@@ -107,8 +107,17 @@ pub(in crate::screens) struct Paragraphs<'a> {
 }
 
 impl Paragraphs<'_> {
+    /// How far a paragraph leads down; one without words not at all.
+    pub fn height(&self, words: &str, size: f32) -> f32 {
+        let lines = widgets::lines(self.canvas, words, self.width, Style::new(size, theme::text())).len();
+        if words.is_empty() { 0.0 } else { (lines as f32 + 0.6) * self.canvas.line_height(size) }
+    }
+
     /// A paragraph, in as many lines as it takes.
     pub fn write(&mut self, words: &str, size: f32, colour: Colour) {
+        if words.is_empty() {
+            return;
+        }
         let style = Style::new(size, colour);
         for line in widgets::lines(self.canvas, words, self.width, style) {
             self.canvas.text(&line, self.at, style);

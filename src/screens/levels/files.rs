@@ -5,7 +5,7 @@ use super::card::LevelEntry;
 use super::shelves::{FOOT, FOOT_BUTTON, SIDE, from_left, from_right};
 use super::{Asked, LevelSelect};
 use crate::draw::Style;
-use crate::draw::layout::{Frame, GAP, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::layout::{Area, Frame, GAP, ROW_BUTTON, TEXT, Vec2};
 use crate::files;
 use crate::import;
 use crate::level::{self, Awards, scaffold};
@@ -138,15 +138,23 @@ impl LevelSelect {
         let frame = ui.frame();
         let above = self.frame(&frame);
         let mut pressed = None;
-        let row = |labels: &[&str], frame: &Frame| (0..labels.len()).map(|i| from_left(i as f32, frame)).collect();
+        let row = |ui: &Ui<'_>, labels: &[&str], frame: &Frame| {
+            let mut next = from_left(0.0, frame);
+            let place = |label: &&str| {
+                let area = Area { size: next.size.max(Vec2::new(ui.least_width(label), 0.0)), ..next };
+                next.min.x = area.max().x + GAP;
+                area
+            };
+            labels.iter().map(place).collect::<Vec<Area>>()
+        };
         let labels: &[&str] = match self.purpose {
             Purpose::Edit => {
-                pressed = ui.buttons(row(ON_LEVELS, &above), ON_LEVELS);
+                pressed = ui.buttons(row(ui, ON_LEVELS, &above), ON_LEVELS);
                 &["Back", "New", "Copy", "Rename"]
             }
             Purpose::Play | Purpose::Leaderboard => &["Back"],
         };
-        pressed = pressed.or(ui.buttons(row(labels, &frame), labels));
+        pressed = pressed.or(ui.buttons(row(ui, labels, &frame), labels));
         let mut turned = None;
         if self.pages.len() > 1 {
             turned = ui.buttons(vec![from_right(1.0, &frame), from_right(0.0, &frame)], &["Previous", "Next"]);

@@ -1,6 +1,6 @@
 //! The column of the result: what came of the flight, its medals, the parts of its score.
 
-use super::{MAIN, ROW, Scoring, WIDTH};
+use super::{MAIN, ROW, Scoring, width};
 use crate::draw::layout::{BUTTON_TEXT, DETAILS, GRID, HEADING, TEXT, TITLE, Vec2};
 use crate::draw::{Colour, Style};
 use crate::game::{Outcome, goals};
@@ -61,7 +61,7 @@ impl Scoring {
     }
 
     fn show_parts(&self, ui: &Ui<'_>, left: f32) {
-        let right = left + WIDTH;
+        let right = left + width(&ui.frame());
         let text = ui.frame().text_height(DETAILS);
         // Large words begin higher, so that all of them end above the buttons.
         let mut y = LINES[4] - (1.6 * (text - DETAILS)).clamp(0.0, 24.0);
@@ -76,7 +76,7 @@ impl Scoring {
             if !measure.is_empty() {
                 y += (0.6 * ROW).max(1.02 * text);
                 let quiet = Style::new(DETAILS, theme::quiet()).middle();
-                ui.text(&widgets::cut(ui.canvas(), &measure, WIDTH, quiet), Vec2::new(left, y), quiet);
+                ui.text(&widgets::cut(ui.canvas(), &measure, width(&ui.frame()), quiet), Vec2::new(left, y), quiet);
             }
             y += 0.85 * ROW;
         }
@@ -102,9 +102,9 @@ impl Scoring {
             let (words, colour) =
                 goal.missing.as_deref().map_or((tr("earned"), theme::good()), |missing| (missing, theme::quiet()));
             let missing = Style::new(DETAILS, colour).middle().right();
-            ui.text(words, Vec2::new(left + WIDTH, middle.y), missing);
+            ui.text(words, Vec2::new(left + width(&ui.frame()), middle.y), missing);
             let asks = Style::new(TEXT, theme::text()).middle();
-            let room = WIDTH - 2.0 * RADIUS - 2.0 * GRID - ui.canvas().width(words, missing);
+            let room = width(&ui.frame()) - 2.0 * RADIUS - 2.0 * GRID - ui.canvas().width(words, missing);
             ui.text(&widgets::cut(ui.canvas(), &goal.asks, room, asks), middle + Vec2::new(RADIUS + GRID, 0.0), asks);
         }
     }
@@ -118,11 +118,12 @@ impl Scoring {
         ui.text(words, line(0), Style::new(TEXT, colour).middle());
         let title = if level.title == level.name { tr!("Level {level}", level = level.name) } else { tr(&level.title).to_owned() };
         let style = Style::new(HEADING, theme::text()).middle();
-        ui.text(&widgets::cut(ui.canvas(), &title, WIDTH, style), line(1), style);
+        ui.text(&widgets::cut(ui.canvas(), &title, width(&ui.frame()), style), line(1), style);
         let hundredths = hundredths(self.result.time);
         let (words, time) =
             (format!("{}.{:02}", hundredths / 100, hundredths % 100), Style::new(TITLE, theme::text()).mono().middle());
-        let time = if ui.canvas().width(&words, time) > WIDTH - HEADING { Style { size: HEADING, ..time } } else { time };
+        let time =
+            if ui.canvas().width(&words, time) > width(&ui.frame()) - HEADING { Style { size: HEADING, ..time } } else { time };
         ui.text(&words, line(2), time);
         let behind = Vec2::new(ui.canvas().width(&words, time) + GRID, 0.0);
         ui.text("s", line(2) + behind, Style::new(BUTTON_TEXT, theme::quiet()).middle());
@@ -133,7 +134,7 @@ impl Scoring {
         let quiet = Style::new(DETAILS, theme::quiet()).middle();
         let pitch = ui.canvas().line_height(DETAILS).min(26.0);
         let room = ((MAIN - LINES[5]) / pitch).ceil() as usize;
-        for (i, words) in widgets::lines(ui.canvas(), &remark, WIDTH, quiet).iter().take(room).enumerate() {
+        for (i, words) in widgets::lines(ui.canvas(), &remark, width(&ui.frame()), quiet).iter().take(room).enumerate() {
             ui.text(words, line(5) + Vec2::new(0.0, i as f32 * pitch), quiet);
         }
     }

@@ -33,8 +33,9 @@ const BOARD: &str = "Board";
 /// A guest's score waits for a name.
 const SAVE: &str = "Save Score";
 
-/// The column of the result at the right: its width, and from it to the canvas' edges and to the scene.
+/// The column of the result at the right: its width, also in heights of the text, and from it to the canvas' edges and to the scene.
 const WIDTH: f32 = 360.0;
+const WIDTH_IN_TEXT: f32 = 19.5;
 const EDGE: f32 = 40.0;
 const ROW: f32 = 32.0;
 /// The buttons: the one where most go on, and those below it.
@@ -48,6 +49,10 @@ const DASHES: [f32; 2] = [6.0, 5.0];
 const CORNER: usize = 6;
 /// By then the view has opened and all medals are there, s.
 const OPENS: f64 = 2.0;
+
+fn width(frame: &Frame) -> f32 {
+    WIDTH.max(WIDTH_IN_TEXT * frame.text_height(DETAILS))
+}
 
 #[derive(Debug)]
 pub struct Scoring {
@@ -158,7 +163,7 @@ impl Scoring {
     fn show_figures(&self, ui: &Ui<'_>) {
         let mut at = Vec2::new(EDGE, ui.frame().size.y - EDGE);
         let style = Style::new(DETAILS, theme::quiet()).middle();
-        for line in self.figures(ui.canvas(), ui.frame().size.x - WIDTH - 4.0 * EDGE).iter().rev() {
+        for line in self.figures(ui.canvas(), ui.frame().size.x - width(&ui.frame()) - 4.0 * EDGE).iter().rev() {
             ui.text(line, at, style);
             at.y -= ROW;
         }
@@ -183,7 +188,8 @@ impl Scoring {
     /// The button where most go on, and the others below it; the label of the pressed one.
     fn show_buttons(&self, ui: &mut Ui<'_>, left: f32) -> Option<&'static str> {
         let labels = self.labels();
-        let main = Area::new(left, MAIN, WIDTH, ROW_BUTTON.y);
+        let width = width(&ui.frame());
+        let main = Area::new(left, MAIN, width, ROW_BUTTON.y);
         let touch = ui.touch(labels[0], main, WidgetKind::Button);
         ui.canvas().rounded(main, GRID, if touch.hover { theme::accent() } else { theme::accent().faded(0.9) });
         if touch.focus {
@@ -195,14 +201,26 @@ impl Scoring {
         let style = Style::new(BUTTON_TEXT, theme::ground()).middle();
         ui.text(&named(labels[0]), Vec2::new(left + 2.0 * GRID, main.centre().y), style);
         let mut pressed = touch.pressed.then_some(labels[0]);
-        let (mut at, third) = (main.min + Vec2::new(0.0, main.size.y + 0.75 * GRID), (WIDTH - 2.0 * GRID) / 3.0);
+        let small = Style::new(TEXT, theme::text()).centred();
+        let canvas = ui.canvas();
+        let least = |label: &&str| canvas.width(&named(label), small) + 2.0 * GRID;
+        let beside = || labels[1..].iter().filter(|label| **label != SAVE);
+        // Thirds, where their words fit.
+        let third = (width - 2.0 * GRID) / 3.0;
+        let spare = (width + GRID - beside().map(|label| least(label) + GRID).sum::<f32>()) / beside().count().max(1) as f32;
+        let equal = beside().all(|label| least(label) <= third);
+        let mut at = main.min + Vec2::new(0.0, main.size.y + 0.75 * GRID);
         for label in &labels[1..] {
-            let wide = if *label == SAVE { WIDTH } else { third };
-            if at.x + wide > left + WIDTH + 1.0 || *label == SAVE {
+            let wide = match *label {
+                SAVE => width,
+                _ if equal => third,
+                _ => least(label) + spare.max(0.0),
+            };
+            if at.x + wide > left + width + 1.0 || *label == SAVE {
                 at = Vec2::new(left, at.y + SMALL + GRID / 2.0);
             }
             let area = Area { min: at, size: Vec2::new(wide, SMALL) };
-            if ui.small_button((label, &named(label)), area, Style::new(TEXT, theme::text()).centred()) {
+            if ui.small_button((label, &named(label)), area, small) {
                 pressed = Some(label);
             }
             at.x += wide + GRID;
@@ -244,8 +262,8 @@ impl Screen for Scoring {
             });
         }
         let size = ui.frame().size;
-        let left = size.x - WIDTH - EDGE;
-        ui.canvas().rectangle(Area::new(left - EDGE, 0.0, WIDTH + 2.0 * EDGE, size.y), theme::ground());
+        let left = size.x - width(&ui.frame()) - EDGE;
+        ui.canvas().rectangle(Area::new(left - EDGE, 0.0, size.x - left + EDGE, size.y), theme::ground());
         self.show_figures(ui);
         self.show_column(ui, left);
         let pressed = self.show_buttons(ui, left);
@@ -281,7 +299,7 @@ impl Screen for Scoring {
     }
 
     fn scene(&self, frame: &Frame) -> Option<GameScene<'_>> {
-        let room = Frame { size: frame.size - Vec2::new(WIDTH + 2.0 * EDGE, 0.0), ..*frame };
+        let room = Frame { size: frame.size - Vec2::new(width(frame) + 2.0 * EDGE, 0.0), ..*frame };
         Some(GameScene {
             game: &self.end,
             alpha: 1.0,

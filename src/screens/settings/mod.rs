@@ -3,7 +3,7 @@
 #[cfg(all(feature = "window", browser))]
 pub mod page_data;
 
-use crate::draw::layout::{Area, DETAILS, ROW_BUTTON, TEXT, Vec2};
+use crate::draw::layout::{Area, DETAILS, MARGIN, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Colour, Style};
 use crate::screens::screen::{Effect, Request, Screen};
 use crate::settings::{Action, FLYING, Item, Key, Keys, Settings};
@@ -18,8 +18,9 @@ const KEYS: Vec2 = Vec2::new(560.0, 24.0);
 const BETWEEN: f32 = 40.0;
 /// From the canvas' top to the first row.
 const TOP: f32 = 92.0;
-/// How wide a key is.
+/// How wide a key is, at least.
 const KEY_WIDTH: f32 = 150.0;
+const PRESS: &str = "press a key";
 /// Shows the keys that do not fly, too.
 const ALL_KEYS: &str = "All keys";
 /// Keys a control.
@@ -58,13 +59,16 @@ impl SettingsPanel {
         let mut pressed = None;
         let shown = if self.all { Action::ALL.len() } else { FLYING };
         let pitch = if self.all { KEYS.y } else { KEYS.y.max(1.3 * ui.frame().text_height(TEXT)) };
+        let key_width = KEY_WIDTH.max(ui.canvas().width(tr(PRESS), Style::new(TEXT, theme::text())) + 8.0);
         for (row, action) in Action::ALL.into_iter().take(shown).enumerate() {
-            let area = Area::new(corner.x, corner.y + row as f32 * pitch, KEYS.x, pitch - 4.0);
+            // Large words stand closer.
+            let apart = (pitch - ui.frame().text_height(TEXT)).clamp(1.0, 4.0);
+            let area = Area::new(corner.x, corner.y + row as f32 * pitch, KEYS.x, pitch - apart);
             let label = Vec2::new(area.min.x, area.centre().y);
             ui.text(tr(action.label()), label, Style::new(TEXT, theme::quiet()).middle());
             for slot in 0..SLOTS {
-                let x = area.max().x - (SLOTS - slot) as f32 * (KEY_WIDTH + 8.0) + 8.0;
-                let area = Area { min: Vec2::new(x, area.min.y), size: Vec2::new(KEY_WIDTH, area.size.y) };
+                let x = area.max().x - (SLOTS - slot) as f32 * (key_width + 8.0) + 8.0;
+                let area = Area { min: Vec2::new(x, area.min.y), size: Vec2::new(key_width, area.size.y) };
                 let touch = ui.touch(&format!("{} {}", action.label(), slot + 1), area, WidgetKind::Button);
                 widgets::button_box(ui.canvas(), area, touch.hover, touch.focus);
                 let (words, colour) = self.words(action, slot);
@@ -92,7 +96,7 @@ impl SettingsPanel {
     fn words(&self, action: Action, slot: usize) -> (String, Colour) {
         let keys = &self.settings.keys;
         match keys.of(action)[slot] {
-            _ if self.taking == Some((action, slot)) => (tr("press a key").to_owned(), theme::accent()),
+            _ if self.taking == Some((action, slot)) => (tr(PRESS).to_owned(), theme::accent()),
             Some(key) => {
                 let twice = keys.conflict(action, key).is_some();
                 (action.label_of(key), if twice { theme::bad() } else { theme::text() })
@@ -183,7 +187,7 @@ impl Screen for SettingsPanel {
         self.show_hints(ui, values + Vec2::new(0.0, Item::ALL.len() as f32 * VALUES.y + 12.0));
         // A press of the first one saves once more what could not be saved.
         let labels = if self.problems.is_empty() { &["Defaults", "Back"][..] } else { &["Try again", "Defaults", "Back"] };
-        let pressed = ui.row(size.y - ROW_BUTTON.y - 32.0, labels);
+        let pressed = ui.row(size.y - ROW_BUTTON.y - MARGIN, labels);
         if leaves || pressed == Some("Back") {
             return Some(Request::Pop);
         }

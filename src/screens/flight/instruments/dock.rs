@@ -8,14 +8,17 @@ use crate::words::tr;
 /// Between two buttons of the rail.
 const RAIL_GAP: f32 = 4.0;
 
-/// A button a tool, from the top, below the head-up display.
+/// A button a tool, from the top, below the head-up display, in as many columns as the frame's height asks for.
 pub fn rail(frame: &Frame) -> Vec<Area> {
     let top = HudLayout::new(frame).status.max().y + 2.0 * GRID;
     let text = frame.text_height(DETAILS);
     let widest = Tool::ALL.iter().map(|tool| text_room(tr(tool.name()), text).x).fold(0.0, f32::max);
     let size = Vec2::new(widest + 2.0 * GRID, text * LINE + GRID);
-    let button = |i: usize| Area { min: Vec2::new(2.0 * GRID, top + i as f32 * (size.y + RAIL_GAP)), size };
-    (0..Tool::ALL.len()).map(button).collect()
+    let (pitch, count) = (size + RAIL_GAP, Tool::ALL.len());
+    let rows = (((frame.size.y - GRID - top) / pitch.y) as usize).clamp(1, count);
+    let button =
+        |i: usize| Area { min: Vec2::new(2.0 * GRID, top) + pitch * Vec2::new((i / rows) as f32, (i % rows) as f32), size };
+    (0..count).map(button).collect()
 }
 
 /// Where panels end: above the fuel bar and above `sign`, the room that signs need at the frame's foot.
@@ -25,9 +28,10 @@ pub fn foot(frame: &Frame, sign: f32) -> f32 {
 
 /// Panels one below the other from the foot of the rail on, in as many columns as it takes; the first has the rail above it.
 pub fn dock(foot: f32, rail: &[Area], sizes: &[Vec2]) -> Vec<Area> {
-    let (Some(first), Some(last)) = (rail.first(), rail.last()) else { return Vec::new() };
-    let mut at = Vec2::new(first.min.x, last.max().y + GRID);
-    let mut widest = last.size.x;
+    let Some(first) = rail.first() else { return Vec::new() };
+    let end = rail.iter().fold(first.max(), |end, area| end.max(area.max()));
+    let mut at = Vec2::new(first.min.x, end.y + GRID);
+    let mut widest = end.x - first.min.x;
     let place = |size: &Vec2| {
         if at.y + size.y > foot {
             at = Vec2::new(at.x + widest + GRID, first.min.y.min(foot - size.y).max(GRID));

@@ -57,6 +57,10 @@ impl Tool {
     }
 }
 
+fn is_narrow(room: &Frame) -> bool {
+    room.size.x < NARROW * room.text_height(DETAILS)
+}
+
 pub struct Stage<'a> {
     /// At the moment on the screen.
     pub game: &'a Game,
@@ -103,6 +107,10 @@ impl Instruments {
         // Typing flies nothing.
         let mut rest = if self.vary.is_typing() { input.without_keys() } else { input.clone() };
         self.open ^= rest.acts(Action::Instruments);
+        // Words may have grown since both were opened.
+        if self.used[Tool::Vary as usize] && is_narrow(&self.room(&whole)) {
+            self.used[Tool::Figures as usize] = false;
+        }
         if self.open {
             self.show_rail(ui, &self.room(&whole));
         }
@@ -148,8 +156,7 @@ impl Instruments {
     /// On a narrow canvas, opens one large panel in the place of another.
     fn open_or_close(&mut self, tool: Tool, room: &Frame) {
         const LARGE: [Tool; 2] = [Tool::Figures, Tool::Vary];
-        let narrow = room.size.x < NARROW * room.text_height(DETAILS);
-        if narrow && !self.used[tool as usize] && LARGE.contains(&tool) {
+        if is_narrow(room) && !self.used[tool as usize] && LARGE.contains(&tool) {
             LARGE.iter().for_each(|other| self.used[*other as usize] = false);
         }
         self.used[tool as usize] ^= true;

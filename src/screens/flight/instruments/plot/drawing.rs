@@ -86,7 +86,11 @@ impl Plot {
         };
         let style = Style::new(DETAILS, colour).middle();
         let at = Vec2::new(places.foot.min.x, places.foot.centre().y);
-        canvas.text(&widgets::cut(canvas, words, places.foot.size.x, style), at, style);
+        // Of advice as many sentences as have room.
+        let fits = |words: &&str| canvas.width(words, style) <= places.foot.size.x;
+        let ends = words.char_indices().rev().filter(|(_, sign)| *sign == '.').map(|(at, _)| &words[..=at]);
+        let whole = ends.filter(|_| words == tr(HINT)).find(fits).unwrap_or(words);
+        canvas.text(&widgets::cut(canvas, whole, places.foot.size.x, style), at, style);
     }
 
     /// For each curve a sample, and below the buttons its readings.
