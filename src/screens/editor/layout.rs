@@ -2,6 +2,7 @@
 //! as its words need.
 
 use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
+use crate::level::document::SETTINGS;
 
 /// A command: the height of its two lines in heights of their texts, and the width of its key, in letters.
 const TWO_LINES: f32 = 1.15;
@@ -22,8 +23,7 @@ pub const INSIDE: f32 = 8.0;
 pub const BETWEEN: f32 = 4.0;
 pub const PROBLEM_LINES: usize = 4;
 const OFFERS: usize = 8;
-/// The most fields, those of the level, and the most room of the heading above them, canvas units.
-const FIELDS: f32 = 21.0;
+/// The most room of the heading above the fields, canvas units.
 const HEAD: f32 = 60.0;
 
 /// How large words are in a window with `pixel` canvas units a pixel: they grow less than a large window.
@@ -75,7 +75,7 @@ impl Panes {
             middle,
             map: Area { min: middle.max() - Vec2::splat(1.5 * INSIDE) - map, size: map },
             line,
-            field: (frame.text_height(TEXT) * 1.5).max(28.0 * text).min((height - top - head) / FIELDS),
+            field: (frame.text_height(TEXT) * 1.5).max(28.0 * text).min((height - top - head) / SETTINGS.len() as f32),
             letter,
             command,
             head,
