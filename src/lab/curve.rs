@@ -50,6 +50,9 @@ const SLOPES: f64 = 0.25;
 /// The scene whose diagram is of counts.
 pub const PI: &str = "pi";
 
+/// The diagram of the time of a step, s, against the number of bodies: work is that number, error that time.
+pub const GROWTH: &str = "piles-growth";
+
 /// Steps, work and tolerances: outside, a number is a slip, and logarithmic axes to it would have no end.
 pub const NUMBERS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 /// More curves than this neither an eye nor a legend copes with.
@@ -105,6 +108,12 @@ impl MethodCurve {
         let median = slopes[slopes.len() / 2];
         (slopes.len() > 1 && most - least <= SLOPES && median >= 1.0 - SLOPES).then_some(median)
     }
+}
+
+/// The slope from a curve's first point to its last on logarithmic axes.
+pub fn slope(points: &[WorkPoint]) -> Option<f64> {
+    let (first, last) = (points.first()?, points.last()?);
+    Some((last.error / first.error).ln() / (last.work / first.work).ln()).filter(|slope| slope.is_finite())
 }
 
 /// Moments of a course, at most. More would be closer together than the pixels of a diagram.

@@ -4,7 +4,7 @@
 //! Other engines' points, from the file that `benches/peers` wrote: the same scenes, measured on one machine in one run. A scene of the lab gets
 //! their points into its diagram, a curve for each version and setting. Scenes that no method by hand could run make diagrams of their own.
 
-use super::curve::{MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of, not_negative, rows, work_point};
+use super::curve::{GROWTH, MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of, not_negative, rows, work_point};
 use super::{TOLERANCE, charts::Charts};
 use crate::draw::chart::CurveOrigin;
 use crate::files::{CsvRow, SHIPPED};
@@ -48,12 +48,13 @@ pub fn is_of_peers(scene: &str) -> bool {
         pushed-row wall-10-km-s settled-100 settled-1000 settled-5000 islands-200 tower-hit afloat-64 asleep-1000 lift";
     const OF_SIZES: [&str; 5] = ["pile", "masses", "restitutions", "flight", "flight-drag"];
     let scene = scene.strip_suffix(SLEEP).unwrap_or(scene);
-    SINGLE.split_whitespace().any(|name| name == scene) || OF_SIZES.iter().any(|scenes| has_size(scenes, scene))
+    SINGLE.split_whitespace().any(|name| name == scene) || OF_SIZES.iter().any(|scenes| size_of(scenes, scene).is_some())
 }
 
 /// Whether that is one of those scenes with its number of bodies behind it.
-fn has_size(scenes: &str, scene: &str) -> bool {
-    scene.strip_prefix(scenes).and_then(|rest| rest.strip_prefix('-')).is_some_and(|size| size.parse::<u32>().is_ok())
+/// The size at the end of a scene's name.
+fn size_of(scenes: &str, scene: &str) -> Option<u32> {
+    scene.strip_prefix(scenes)?.strip_prefix('-')?.parse().ok()
 }
 
 /// `file` names the text. Errors: file and line of the first row that cannot be read.
@@ -77,22 +78,29 @@ pub const OURS: &str = "Resultant";
 /// The ending of scenes in which resting bodies may sleep, as they always may in the lab.
 const SLEEP: &str = "-sleep";
 
+/// What the points of a diagram for engines only stand for.
+#[derive(Clone, Copy, PartialEq)]
+enum FamilyPoints {
+    Steps,
+    /// A point a size: an error, and the work a body and step.
+    Sizes,
+    /// A point a size: the time of a step, s, and the number of bodies.
+    Growth,
+}
+
 /// A diagram for engines only; its scenes bear its name, or its name and a size.
 struct Family {
     scenes: &'static str,
     name: &'static str,
     title: &'static str,
     error: &'static str,
-    /// Whether the diagram has a point a size, with work a body and step.
-    sizes: bool,
+    points: FamilyPoints,
     /// For the reader: a limit of a peer's own that decides its error.
     note: &'static str,
 }
 
-const OVERLAP: &str = "worst overlap at any step, m";
-
-const FAMILIES: [Family; 3] = [
-    Family::of_sizes("pile", "piles", "Piles of 100, 1000 and 5000 boxes raining into a pit, 10 s", OVERLAP),
+const FAMILIES: [Family; 4] = [
+    Family::of_sizes("pile", "piles", "Piles of 100, 1000 and 5000 boxes raining into a pit, 10 s", "worst overlap at any step, m"),
     Family::of_sizes(
         "flight-drag",
         "flights-with-drag",
@@ -100,7 +108,7 @@ const FAMILIES: [Family; 3] = [
         "worst error of position at the end, m",
     ),
     Family {
-        sizes: false,
+        points: FamilyPoints::Steps,
         note: "As they come, Rapier and Box2D let nothing be faster than 400 m/s: the box is caught on its way, not at the wall.",
         ..Family::of_sizes(
             "wall-10-km-s",
@@ -109,28 +117,48 @@ const FAMILIES: [Family; 3] = [
             "error of position at the end, m",
         )
     },
+    Family {
+        points: FamilyPoints::Growth,
+        note: "Slope 1: twice as many boxes take twice the time; slope 2: four times.",
+        ..Family::of_sizes("pile", GROWTH, "How the time of a pile grows with its number of boxes", "CPU time of a step, s")
+    },
 ];
 
 impl Family {
     const fn of_sizes(scenes: &'static str, name: &'static str, title: &'static str, error: &'static str) -> Self {
-        Self { scenes, name, title, error, sizes: true, note: "" }
+        Self { scenes, name, title, error, points: FamilyPoints::Sizes, note: "" }
     }
 
-    fn has(&self, scene: &str) -> bool {
-        if self.sizes { has_size(self.scenes, scene) } else { scene == self.scenes }
+    /// The point of a scene in the diagram; none where the scene is of another one.
+    fn point(&self, scene: &str, point: WorkPoint) -> Option<WorkPoint> {
+        if self.points == FamilyPoints::Steps {
+            return (scene == self.scenes).then_some(point);
+        }
+        let size = f64::from(size_of(self.scenes, scene)?);
+        let each = (point.work * point.step).clamp(*NUMBERS.start(), *NUMBERS.end());
+        Some(match self.points {
+            FamilyPoints::Growth => WorkPoint { work: size, error: each * size * 1e-9, ..point },
+            _ => WorkPoint { work: each, ..point },
+        })
     }
 
     fn diagram(&self, step: f64) -> Measured {
-        let work = if self.sizes { "CPU time for a body and step, ns (a point a size)" } else { super::contract::WORK };
+        let (work, tolerance) = match self.points {
+            FamilyPoints::Steps => (super::contract::WORK, TOLERANCE),
+            FamilyPoints::Sizes => ("CPU time for a body and step, ns (a point a size)", TOLERANCE),
+            // A step that takes as long as what it simulates.
+            FamilyPoints::Growth => ("number of boxes", step),
+        };
+        let of_steps = self.points == FamilyPoints::Steps;
         Measured {
             name: self.name.to_owned(),
             title: self.title.to_owned(),
             error: self.error.to_owned(),
             work: work.to_owned(),
-            tolerance: TOLERANCE,
+            tolerance,
             // Of sizes, the only one there is; else the step at which the game ships.
-            shipped_step: if self.sizes { step } else { 1.0 / crate::game::TICK_RATE },
-            alike: !self.sizes,
+            shipped_step: if of_steps { 1.0 / crate::game::TICK_RATE } else { step },
+            alike: of_steps,
             note: self.note.to_owned(),
             over_time: None,
             curves: Vec::new(),
@@ -150,23 +178,26 @@ pub fn add_peers(peers: &[PeerRow], diagrams: &mut Vec<Measured>) -> Result<(), 
             Some(scene) => (scene, true),
             None => (scene.as_str(), false),
         };
-        let (measured, work) = if let Some(measured) = diagrams.iter_mut().find(|measured| measured.name == scene) {
-            // In the scenes of the lab the shipped engine is measured here and now.
-            if row.ours() {
-                continue;
-            }
-            (measured, point.work)
-        } else if let Some((family, measured)) = families.iter_mut().find(|(family, _)| family.has(scene)) {
-            let each = (point.work * point.step).clamp(*NUMBERS.start(), *NUMBERS.end());
-            (measured.get_or_insert_with(|| family.diagram(point.step)), if family.sizes { each } else { point.work })
-        } else {
-            continue;
-        };
         let origin = if row.ours() { CurveOrigin::Shipped } else { CurveOrigin::Peer };
         let too_many = || format!("{PEERS}: {scene}: found an engine more, expected at most {MOST_CURVES} curves in a diagram");
-        let curve = curve_of(&mut measured.curves, &curve_name(row, sleeps), origin).ok_or_else(too_many)?;
-        curve.version.clone_from(&row.version);
-        curve.points.push(WorkPoint { work, ..*point });
+        let add = |measured: &mut Measured, point: WorkPoint| {
+            let curve = curve_of(&mut measured.curves, &curve_name(row, sleeps), origin).ok_or_else(too_many)?;
+            curve.version.clone_from(&row.version);
+            curve.points.push(point);
+            Ok::<(), String>(())
+        };
+        if let Some(measured) = diagrams.iter_mut().find(|measured| measured.name == scene) {
+            // In the scenes of the lab the shipped engine is measured here and now.
+            if !row.ours() {
+                add(measured, *point)?;
+            }
+            continue;
+        }
+        for (family, measured) in &mut families {
+            if let Some(point) = family.point(scene, *point) {
+                add(measured.get_or_insert_with(|| family.diagram(point.step)), point)?;
+            }
+        }
     }
     diagrams.extend(families.into_iter().filter_map(|(_, measured)| measured));
     Ok(())
@@ -233,7 +264,7 @@ mod tests {
         ]);
         add_peers(&peer_rows(PEERS, &text).unwrap(), &mut diagrams).unwrap();
         let names: Vec<&str> = diagrams.iter().map(|measured| measured.name.as_str()).collect();
-        assert_eq!(names, ["fall", "piles", "flights-with-drag", "wall-10-km-s"]);
+        assert_eq!(names, ["fall", "piles", "flights-with-drag", "wall-10-km-s", GROWTH]);
         let curves =
             |i: usize| diagrams[i].curves.iter().map(|curve| (curve.name.as_str(), curve.points.clone())).collect::<Vec<_>>();
         let point = |step, work, error| WorkPoint { step, work, spread: 0.0, error };
@@ -252,6 +283,8 @@ mod tests {
         let (_, shipped) = diagrams[1].shipped().unwrap();
         assert_eq!(shipped.count(), 2, "every size is shipped");
         assert_eq!(curves(3)[0].0, "other 1.2, 4 parts, stiffness 30 Hz");
+        // Half a nanosecond a body and step of 100, and one of 1000.
+        assert_eq!(curves(4)[1].1, [point(0.5, 100.0, 0.5e-7), point(0.5, 1000.0, 1e-6)]);
         assert_eq!(diagrams[3].shipped_point().map(|point| point.work), Some(8.0), "the point at the game's own step");
     }
 

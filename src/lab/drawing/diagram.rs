@@ -6,7 +6,7 @@ use super::places::{DiagramPlaces, SLOPE};
 use crate::draw::chart::{Decades, FRAME, Marker, RING, TOLERANCE_DASH, dashed, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::curve::Measured;
+use crate::lab::curve::{GROWTH, Measured};
 use crate::lab::methods::motion::ADAPTIVE;
 use crate::number::{power, short};
 use crate::view::{theme, widgets};
@@ -108,6 +108,8 @@ fn tip(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, (curve, index
     let Some((curve, point)) = measured.curves.get(curve).and_then(|curve| Some((curve, curve.points.get(index)?))) else { return };
     let error = if point.blew_up() {
         tr("blew up").to_owned()
+    } else if measured.name == GROWTH {
+        with_unit(point.error, &measured.error)
     } else {
         tr!("error {error}", error = with_unit(point.error, &measured.error))
     };

@@ -6,7 +6,7 @@ use crate::draw::chart::{FRAME, LEAST_ERROR, Marker, RING, SAMPLE, TOLERANCE_DAS
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::TOLERANCE;
-use crate::lab::curve::{Measured, MethodCurve, WorkPoint};
+use crate::lab::curve::{GROWTH, Measured, MethodCurve, WorkPoint};
 use crate::number::short;
 use crate::view::{theme, widgets};
 use crate::words::tr;
@@ -20,7 +20,7 @@ fn line_of(plot: &DiagramPlaces, line: usize) -> (Area, Vec2, Vec2) {
 
 /// The curves' names in the legend and the size of all its words: whole names where these fit, or else what tells them apart.
 fn names_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) -> (Vec<String>, f32) {
-    let names: Vec<String> = measured.curves.iter().map(with_order).collect();
+    let names: Vec<String> = measured.curves.iter().map(|curve| with_order(measured, curve)).collect();
     let room = plot.legend(0).size.x - WORDS;
     let low = |size: f32| canvas.frame().text_height(size) <= plot.pitch;
     let fits = |size: f32| low(size) && names.iter().all(|name| canvas.width(name, Style::new(size, theme::text())) <= room);
@@ -91,7 +91,10 @@ pub(super) fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &
     };
     // Neighbours in the legend stay apart.
     let most = plot.pitch / 2.0 - 2.0;
-    let tolerance = if measured.tolerance == TOLERANCE {
+    let grows = measured.name == GROWTH;
+    let tolerance = if grows {
+        tr("real time: 1/60 s a step").to_owned()
+    } else if measured.tolerance == TOLERANCE {
         tr("a tenth of a pixel, 1/300 m").to_owned()
     } else {
         tr!("tolerance {tolerance}", tolerance = short(measured.tolerance))
@@ -118,7 +121,9 @@ pub(super) fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &
         canvas.line(from, to, 2.0, theme::quiet());
         canvas.convex(&[to + Vec2::new(-2.0, 2.0), to + Vec2::new(8.0, -1.0), to + Vec2::new(1.0, -8.0)], theme::quiet());
     };
-    note(&better, tr("lower left is better"));
+    if !grows {
+        note(&better, tr("lower left is better"));
+    }
     if measured.curves.iter().any(|curve| curve.name.contains("stiffness")) {
         note(&|_, _| {}, tr("stiffness: of contacts, as a spring"));
     }

@@ -2,7 +2,7 @@
 
 use crate::draw::Colour;
 use crate::draw::chart::{CurveLook, CurveOrigin, DASHES, Marker};
-use crate::lab::curve::MethodCurve;
+use crate::lab::curve::{GROWTH, Measured, MethodCurve, slope};
 use crate::lab::kept::OURS;
 use crate::lab::methods::{METHODS, motion};
 use crate::lab::scenes::{bouncing, collisions, stacks};
@@ -54,8 +54,12 @@ pub(super) fn look_of(name: &str, origin: CurveOrigin, index: usize) -> CurveLoo
     CurveLook::of(known.unwrap_or(index), origin)
 }
 
-/// A curve's name, with its order where one is seen; a peer's name is long enough.
-pub(super) fn with_order(curve: &MethodCurve) -> String {
+/// A curve's name, with its order where one is seen (a peer's name is long enough), or its growth with the number of bodies.
+pub(super) fn with_order(measured: &Measured, curve: &MethodCurve) -> String {
+    if let Some(slope) = slope(&curve.points).filter(|_| measured.name == GROWTH) {
+        let method = name_of(&curve.name, curve.origin);
+        return tr!("{method}, slope {slope}", method, slope = format_args!("{slope:.2}"));
+    }
     let (name, order) = (name_of(&curve.name, curve.origin), if curve.origin == CurveOrigin::Peer { None } else { curve.order() });
     match order {
         Some(order) => tr!("{method}, order {order}", method = name, order = format_args!("{order:.1}")),

@@ -74,7 +74,7 @@ impl DiagramPlaces {
     pub fn of(panel: Area, measured: &Measured, frame: &Frame) -> Self {
         let text = frame.text_height(DETAILS);
         let is_large = frame.text > 1.0;
-        let names = measured.curves.iter().map(|curve| words_width(&without_version(&with_order(curve)), text));
+        let names = measured.curves.iter().map(|curve| words_width(&without_version(&with_order(measured, curve)), text));
         let widest = names.fold(if is_large { LETTER * LETTERS * text } else { 0.0 }, f32::max);
         let legend = LEGEND.max((widest + WORDS + 2.0 * BESIDE).min(MOST * panel.size.x));
         let margin = if is_large { MARGIN / 3.0 } else { MARGIN };

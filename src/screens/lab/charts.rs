@@ -5,7 +5,7 @@
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::curve::{ANOTHER_BUILD, Measured, OverTime};
+use crate::lab::curve::{ANOTHER_BUILD, GROWTH, Measured, OverTime};
 use crate::lab::drawing::diagram::{self, Picked, with_unit};
 use crate::lab::drawing::looks::name_of;
 use crate::lab::drawing::places::DiagramPlaces;
@@ -136,7 +136,7 @@ impl ChartsPage {
                     .into(),
             );
         }
-        let shipped = measured.shipped_point()?;
+        let shipped = measured.shipped_point().filter(|_| measured.name != GROWTH)?;
         let mut words = tr!(
             "As shipped: error {error}, {time} ns.",
             error = with_unit(shipped.error, tr(&measured.error)),
