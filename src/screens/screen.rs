@@ -1,19 +1,13 @@
 //! What a screen is.
 
-use crate::draw::layout::{Area, Frame};
 use crate::game::{Game, RunResult};
 use crate::session::library::{Attempt, Flown, NewFile};
-use crate::session::recordings::{FlightCandidate, Visit};
-use crate::session::worker::{Brought, Ticket};
 use crate::ui::{Spectator, Ui, input::Input, pace::Motion};
 use crate::view::{GhostShip, Overlays, camera::Viewport, hud::Aside};
 use crate::{classics::jumper::JumperScene, draw::Canvas, instruments::vary::Variation, level::Level, scores::Name};
-use crate::{session::Session, settings::Settings};
-use std::any::Any;
-use std::fmt;
-use std::path::{Path, PathBuf};
-use std::rc::Rc;
-use std::sync::Arc;
+use crate::{draw::layout::Area, draw::layout::Frame, session::worker::Brought, session::worker::Ticket};
+use crate::{session::Session, session::recordings::FlightCandidate, session::recordings::Visit, settings::Settings};
+use std::{any::Any, fmt, path::Path, path::PathBuf, rc::Rc, sync::Arc};
 
 /// The tune of the menus.
 const MENU_TUNE: &str = "0";

@@ -1,17 +1,12 @@
 //! The screens that are open, the topmost of which is shown: how a frame goes, and the one place where requests are granted.
 
-use super::destinations::{open, reading};
-use super::editor::Editor;
-use super::menu::{Closing, Menu};
 use super::screen::{Destination, Effect, GameScene, Request, Screen};
-use crate::draw::{Canvas, layout::Frame};
-use crate::scores::Name;
-use crate::session::worker::{Ticket, Worker};
-use crate::session::{Places, Session, library};
+use super::{destinations::open, destinations::reading, editor::Editor, menu::Closing, menu::Menu};
+use crate::session::{Places, Session, library, worker::Ticket, worker::Worker};
 use crate::settings::{Key, Keys, Settings};
-use crate::ui::input::{Input, Stale};
 use crate::ui::pace::{self, Pace, Picture};
 use crate::ui::{Memory, PassInput, Spectator};
+use crate::{draw::Canvas, draw::layout::Frame, scores::Name, ui::input::Input, ui::input::Stale};
 use std::io::{self, Write};
 use std::path::Path;
 

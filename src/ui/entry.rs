@@ -4,12 +4,10 @@
 //!
 //! Tooltips: words beside the pointer, above all else.
 
-use super::text_field::TextField;
-use super::{Touch, Ui, WidgetKind};
+use super::{Touch, Ui, WidgetKind, text_field::TextField};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
-use crate::draw::{Colour, Style};
 use crate::view::{theme, widgets as paint};
-use crate::{settings::Key, words::tr};
+use crate::{draw::Colour, draw::Style, settings::Key, words::tr};
 
 /// From the box's edge to its text.
 const INSIDE: f32 = 0.75 * GRID;

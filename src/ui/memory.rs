@@ -4,9 +4,7 @@
 
 use super::input::{ButtonAnswer, Input, Repeat};
 use super::scroll::Scroll;
-use crate::draw::layout::{Area, Vec2};
-use crate::game::Game;
-use crate::settings::{Key, Keys};
+use crate::{draw::layout::Area, draw::layout::Vec2, game::Game, settings::Key, settings::Keys};
 use std::collections::BTreeMap;
 
 /// The inputs that a widget answers.

@@ -4,15 +4,9 @@
 //!
 //! A field for a name, and two buttons below it.
 
-use super::scroll::{BAR_WIDTH, bar_beside};
-use super::text_field::TextField;
-use super::{FieldEvent, Turning, Ui};
-use crate::draw::Style;
+use super::{FieldEvent, Turning, Ui, scroll::BAR_WIDTH, scroll::bar_beside, text_field::TextField};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
-use crate::scores::{NAME_TYPING_MAX, Name};
-use crate::settings::Key;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, scores::NAME_TYPING_MAX, scores::Name, settings::Key, view::theme, view::widgets, words::tr};
 
 /// Least width and height of the panel.
 const PANEL: Vec2 = Vec2::new(640.0, 264.0);

@@ -1,8 +1,7 @@
 //! A list that is longer than its window: its first line in view, by keys, wheel and a bar that can be dragged.
 
 use super::input::{Input, Repeat};
-use crate::draw::layout::{Area, Vec2};
-use crate::settings::Key;
+use crate::{draw::layout::Area, draw::layout::Vec2, settings::Key};
 
 /// Lines a notch of the wheel.
 const WHEEL_LINES: f32 = 3.0;

@@ -1,10 +1,7 @@
 //! One line of text that can be edited.
 
 use super::input::{Input, Repeat, Stroke};
-use crate::draw::layout::{Area, Vec2};
-use crate::draw::{Canvas, Style};
-use crate::settings::{Key, Keys};
-use crate::view::theme;
+use crate::{draw::Canvas, draw::Style, draw::layout::Area, draw::layout::Vec2, settings::Key, settings::Keys, view::theme};
 
 /// Keys that move and delete.
 const KEYS: [Key; 6] = [Key::Left, Key::Right, Key::Home, Key::End, Key::Backspace, Key::Delete];

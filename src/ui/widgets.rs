@@ -1,14 +1,10 @@
 //! Widgets: buttons alone, in rows and columns, on a tool bar; values to choose; lines of text; lists that scroll.
 
-use super::Ui;
-use super::input::Input;
-use super::memory::WidgetKind;
-use super::text_field::TextField;
+use super::{Ui, input::Input, memory::WidgetKind, text_field::TextField};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GRID, HEADING, MARGIN, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Align, Canvas, Colour, Style};
-use crate::settings::{Key, Keys};
 use crate::view::{theme, widgets as paint};
-use crate::words::tr;
+use crate::{settings::Key, settings::Keys, words::tr};
 use std::ops::Range;
 
 /// Opacity of the dusk over a game.

@@ -1,18 +1,11 @@
 //! The flights of a level: the one just flown, the level's own, and those of its board. One is watched or kept as a file, one or several are raced.
 
-use crate::draw::Style;
 use crate::draw::layout::{Area, Frame, TEXT, Vec2};
-use crate::level::Level;
-use crate::number::clock;
-use crate::scores::{Board, subject};
-use crate::screens::flight::race::MOST_RIVALS;
 use crate::screens::screen::{Destination, Effect, Request, Screen};
-use crate::session::Session;
 use crate::session::recordings::{self, FlightCandidate, FlightSource, Visit};
-use crate::settings::{Action, Key};
 use crate::ui::{Spectator, Turning, Ui, input::Stroke, scroll::bar_beside};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, level::Level, session::Session, view::theme, view::widgets, words::tr};
+use crate::{number::clock, scores::Board, scores::subject, screens::flight::race::MOST_RIVALS, settings::Action, settings::Key};
 use std::ops::Range;
 
 /// Flights in view.

@@ -3,14 +3,12 @@
 pub mod flights;
 
 use crate::draw::layout::{Area, DETAILS, HEADING, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
-use crate::game::{Medal, Prize};
 use crate::scores::{Board, LoadedBoard, Name, damage_text, subject};
 use crate::screens::screen::{Classic, Destination, Purpose, Request, Screen};
 use crate::session::recordings::{self, BoardRival, Visit};
 use crate::ui::{Turning, Ui, scroll::bar_beside};
-use crate::view::{theme, widgets};
 use crate::{classics::jumper::LEADERBOARD, number::clock, screens::classics::jumper, session::Session, settings::Key, words::tr};
+use crate::{draw::Canvas, draw::Style, game::Medal, game::Prize, view::theme, view::widgets};
 use std::ops::Range;
 
 const PAGE: usize = 10;

@@ -4,14 +4,10 @@ use crate::classics::jumper::engine::{Cuboid, CuboidHit, StaticKind, WIDTH};
 use crate::classics::jumper::{JumpKeys, JumperScene, LEADERBOARD, PLAYER_SIZE, VISIBLE};
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::draw::{Canvas, Colour, Style};
-use crate::game::{Clock, TICK_RATE};
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::session::{Gain, Session, recordings::Visit};
-use crate::settings::{Key, Keys};
-use crate::ui::input::{Input, KeyLatch};
-use crate::ui::{Spectator, Ui, pace::Motion};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::ui::{Spectator, Ui, input::Input, input::KeyLatch, pace::Motion};
+use crate::{game::Clock, game::TICK_RATE, settings::Key, settings::Keys, view::theme, view::widgets, words::tr};
 
 /// What its leaderboard is of, in words.
 pub const SUBJECT: &str = "the Jumper";

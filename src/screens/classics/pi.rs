@@ -5,8 +5,7 @@ use crate::draw::layout::{Area, BUTTON_TEXT, MONO_ADVANCE, TEXT, TITLE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::ui::{Ui, input::Input, pace::Motion};
-use crate::view::{theme, widgets};
-use crate::{number, settings::Key, words::tr};
+use crate::{number, settings::Key, view::theme, view::widgets, words::tr};
 
 /// Seconds of the scene a second, from the slowest to the fastest; it begins with the real one.
 const SPEEDS: [f64; 6] = [0.01, 0.05, 0.25, 1.0, 2.0, 4.0];

@@ -2,13 +2,10 @@
 
 use crate::classics::tile_run::{Command, MAX_FALL, Map, Runner};
 use crate::draw::layout::{Area, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
-use crate::settings::{Key, Keys};
-use crate::ui::input::{Input, KeyLatch};
-use crate::ui::{Ui, pace::Motion};
-use crate::view::{theme, widgets};
+use crate::{draw::Canvas, draw::Style, settings::Key, settings::Keys};
 use crate::{game::Clock, number::fixed, words::tr};
+use crate::{ui::Ui, ui::input::Input, ui::input::KeyLatch, ui::pace::Motion, view::theme, view::widgets};
 use std::collections::VecDeque;
 
 /// Frames of the tile run a second: at twice as many it is too fast for fingers.

@@ -1,14 +1,9 @@
 //! An attempt and its end: its score, or the next attempt.
 
-use super::Flight;
-use super::open::FlownTrail;
-use super::pilot::steers;
-use super::race::Race;
-use super::what_if::WhatIf;
+use super::{Flight, open::FlownTrail, pilot::steers, race::Race, what_if::WhatIf};
 use crate::game::{Game, GameEvent, History, Outcome, Replay, RunResult};
 use crate::screens::screen::{Destination, Effect, Finished, Request};
-use crate::session::library::{Attempt, Flown};
-use crate::session::{Gain, Session};
+use crate::session::{Gain, Session, library::Attempt, library::Flown};
 use crate::{number::clock, scores::subject, settings::Key, ui::input::Input, words::tr};
 use std::rc::Rc;
 

@@ -1,8 +1,7 @@
 //! What is open over a flight: its panels and notices, and the level's files. The pause panel, and the settings above it. The path of a
 //! flight and its impacts, for the picture of the level.
 
-use super::Flight;
-use super::signs::{Hints, News};
+use super::{Flight, signs::Hints, signs::News};
 use crate::draw::layout::{Area, HEADING, PADDING, Vec2, WIDE_BUTTON};
 use crate::game::{Game, GameError, GameEvent, History, SHIP};
 use crate::screens::screen::{Destination, Effect, Purpose, Request, Screen};

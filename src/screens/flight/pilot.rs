@@ -1,8 +1,7 @@
 //! The source of a flight's controls, the moment of it that is shown, its rewinding, and modifiers that type. How many ticks are flown in a frame beside
 //! what is shown: as many as frames stay short with.
 
-use super::Flight;
-use super::what_if::AGAIN;
+use super::{Flight, what_if::AGAIN};
 use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback, Unflown};
 use crate::settings::{Action, Bindings, Key, Keys};
 use crate::ui::input::{Input, Stale};

@@ -1,19 +1,14 @@
 //! A recorded flight on the screen: played, paused, slowed down, shown tick by tick in both directions. The picture is the game itself,
 //! flown again to the wanted moment.
 
-use super::Flight;
-use super::pilot::{Controller, Viewer};
+use super::{Flight, pilot::Controller, pilot::Viewer};
 use crate::draw::layout::{Area, Frame, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
 use crate::game::{Clock, Outcome, Reel};
-use crate::number::clock;
 use crate::screens::screen::{GameScene, Request, Screen};
-use crate::screens::{flight::observer::Observer, flight::pilot::Ahead};
-use crate::session::library::Attempt;
-use crate::settings::{Action, Key};
 use crate::ui::{Spectator, Ui, WidgetKind, input::Input};
 use crate::view::{Overlays, hud::HudShown, theme, widgets};
-use crate::words::tr;
+use crate::{draw::Canvas, draw::Style, settings::Action, settings::Key, words::tr};
+use crate::{number::clock, screens::flight::observer::Observer, screens::flight::pilot::Ahead, session::library::Attempt};
 
 /// Paces of a reel; 1 is the pace of the flight.
 const PACES: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];

@@ -1,18 +1,12 @@
 //! A level that begins again, or whose files change while it is flown.
 
-use super::Flight;
-use super::ending::{NOTICE, Run};
-use super::open::Open;
-use super::pilot::Pilot;
-use super::signs::News;
+use super::{Flight, ending::NOTICE, ending::Run, open::Open, pilot::Pilot, signs::News};
 use crate::game::{GameError, History, Outcome, level_hash};
-use crate::level::document::{LevelFolder, Opened};
 use crate::level::{Level, Problem, scaffold};
 use crate::session::library::{Attempt, Refusal};
-use crate::session::{Session, journal::Worksheet};
 use crate::{files, instruments::vary::Variation, screens::flight::race::Race, ui::Spectator, words::tr};
-use std::path::Path;
-use std::sync::Arc;
+use crate::{level::document::LevelFolder, level::document::Opened, session::Session, session::journal::Worksheet};
+use std::{path::Path, sync::Arc};
 
 impl Flight {
     /// Has the level read again when its files have changed.

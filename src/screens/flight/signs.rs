@@ -6,12 +6,8 @@ use super::Flight;
 use crate::draw::layout::{
     Area, DETAILS, Frame, GRID, HEADING, LINE, MONO_ADVANCE, PADDING, TEXT, TITLE, Vec2, lines, text_room, words_width, wrapped,
 };
-use crate::draw::{Canvas, Style};
-use crate::game::{Outcome, goals};
-use crate::settings::Action;
-use crate::ui::{Ui, input::Input};
 use crate::view::{camera::Viewport, emitters::objective_colour, hud::HudLayout, theme, widgets};
-use crate::words::tr;
+use crate::{draw::Canvas, draw::Style, game::Outcome, game::goals, settings::Action, ui::Ui, ui::input::Input, words::tr};
 
 /// How long the introduction stays, s, and how long it takes to come and to go.
 const LASTS: f64 = 2.0;

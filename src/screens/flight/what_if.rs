@@ -5,16 +5,11 @@
 use super::instruments::vary::{Varied, VaryFrom, VaryWish, written};
 use super::{END_PAUSE, Flight};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, PADDING, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
 use crate::game::{Again, Controls, Game, GhostPose, History, Outcome, SHIP, Tape, body_title, object_body};
-use crate::instruments::vary::Variation;
-use crate::level::{Parameter, Problem};
-use crate::physics::{BodyId, DVec2};
-use crate::screens::screen::{Effect, Request};
-use crate::settings::Key;
-use crate::ui::{Spectator, input::Input};
 use crate::view::{GhostShip, game_view::drawn_centre, hud::HudLayout, theme, widgets};
 use crate::words::tr;
+use crate::{draw::Canvas, draw::Style, level::Parameter, level::Problem, physics::BodyId, physics::DVec2, settings::Key};
+use crate::{instruments::vary::Variation, screens::screen::Effect, screens::screen::Request, ui::Spectator, ui::input::Input};
 use std::sync::Arc;
 
 /// Ticks that are flown again in a frame: at least, at first and at most.

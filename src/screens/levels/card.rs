@@ -2,10 +2,9 @@
 
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Image, Style};
-use crate::level::{Awards, Landscape};
-use crate::session::{folder_watch::Stamp, library::Refusal};
 use crate::view::{theme, widgets};
 use crate::{game::Medals, number::clock, ui::Touch, words::tr};
+use crate::{level::Awards, level::Landscape, session::folder_watch::Stamp, session::library::Refusal};
 
 /// From a card's edge to what is on it.
 const INSIDE: f32 = 12.0;

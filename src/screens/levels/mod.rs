@@ -1,19 +1,14 @@
 //! A page of cards, one a level, used three times: to choose what to play, whose leaderboard to see, and what to edit. Only the levels in
 //! view are loaded, and again when their files change; typing finds those with such a name or title.
 
-use crate::draw::layout::{TEXT, Vec2};
 use crate::screens::screen::{Destination, Effect, Make, OnLevel, Purpose, Request, Screen};
 use crate::session::worker::{Brought, Errand, Ticket};
 use crate::session::{Session, folder_watch::Stamp, library::Library, recordings::Visit};
-use crate::settings::{Action, Key};
-use crate::ui::prompt::{Problems, Prompt};
-use crate::ui::{Spectator, Ui, WidgetKind};
-use crate::view::theme;
-use crate::{draw::Style, words::tr};
+use crate::ui::{Spectator, Ui, WidgetKind, prompt::Problems, prompt::Prompt};
+use crate::{draw::Style, draw::layout::TEXT, draw::layout::Vec2, settings::Action, settings::Key, view::theme, words::tr};
 use shelves::{HEAD, SIDE};
 use std::collections::{BTreeMap, BTreeSet, btree_map::Entry as Slot};
-use std::ops::Range;
-use std::path::PathBuf;
+use std::{ops::Range, path::PathBuf};
 
 mod card;
 mod files;

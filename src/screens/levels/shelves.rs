@@ -1,13 +1,10 @@
 //! Where the cards of a page stand, and the buttons below them. The pages of the list: a shelf a world, two of them a page; levels without a world
 //! alone fill a page of one grid.
 
-use super::card::LevelEntry;
-use super::{LevelSelect, MOST_LETTERS};
+use super::{LevelSelect, MOST_LETTERS, card::LevelEntry};
 use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GAP, ROW_BUTTON, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
-use crate::game::{Medal, Prize};
-use crate::ui::{Ui, input::Stroke};
 use crate::view::{sky::WorldPalette, theme, widgets};
+use crate::{draw::Canvas, draw::Style, game::Medal, game::Prize, ui::Ui, ui::input::Stroke};
 use crate::{level::Landscape, settings::Key, words::tr};
 use std::ops::Range;
 

@@ -1,10 +1,9 @@
 //! Who and what the game is made of, and under which licences.
 
 use crate::draw::layout::{Area, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
-use crate::screens::screen::{Request, Screen};
 use crate::ui::{Turning, Ui, scroll::bar_beside};
-use crate::view::theme;
 use crate::{draw::Style, settings::Key, words::tr};
+use crate::{screens::screen::Request, screens::screen::Screen, view::theme};
 
 /// The game's own licence, word for word.
 const LICENCE: &str = include_str!("../../../LICENSE");

@@ -2,12 +2,8 @@
 
 use super::{MAIN, ROW, Scoring, width};
 use crate::draw::layout::{BUTTON_TEXT, DETAILS, GRID, HEADING, TEXT, TITLE, Vec2};
-use crate::draw::{Colour, Style};
-use crate::game::{Outcome, goals};
 use crate::number::{clock, hundredths, whole_hundredths};
-use crate::ui::Ui;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Colour, draw::Style, game::Outcome, game::goals, ui::Ui, view::theme, view::widgets, words::tr};
 
 /// The middles of its lines from the canvas' top: the world, the level's title, the time, the first goal, the first part of the score and the
 /// remark; and from row to row.

@@ -4,12 +4,9 @@
 pub mod page_data;
 
 use crate::draw::layout::{Area, DETAILS, MARGIN, ROW_BUTTON, TEXT, Vec2};
-use crate::draw::{Colour, Style};
 use crate::screens::screen::{Effect, Request, Screen};
 use crate::settings::{Action, FLYING, Item, Key, Keys, Settings};
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Colour, draw::Style, ui::Ui, ui::WidgetKind, view::theme, view::widgets, words::tr};
 
 /// A row of the values and one of the keys, with the gap below it.
 const VALUES: Vec2 = Vec2::new(560.0, 32.0);

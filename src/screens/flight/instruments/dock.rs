@@ -2,8 +2,7 @@
 
 use super::Tool;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
-use crate::view::hud::HudLayout;
-use crate::words::tr;
+use crate::{view::hud::HudLayout, words::tr};
 
 /// Between two buttons of the rail.
 const RAIL_GAP: f32 = 4.0;

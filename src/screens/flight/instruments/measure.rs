@@ -2,13 +2,10 @@
 
 use super::dock::{self, dock};
 use super::figures::{Figures, Table, in_focus};
-use super::ruler::{Click, Ruler};
-use super::vectors::Scales;
-use super::{Stage, Tool};
+use super::{Stage, Tool, ruler::Click, ruler::Ruler, vectors::Scales};
 use crate::draw::layout::{Area, Frame, GRID, Vec2};
-use crate::ui::{Ui, input::Input};
-use crate::view::focus::Focus;
 use crate::{game::Game, instruments::track::Trail, physics::BodyId};
+use crate::{ui::Ui, ui::input::Input, view::focus::Focus};
 
 /// Ticks of reading in a frame, at most.
 const AHEAD: u64 = 600;

@@ -11,13 +11,9 @@ mod ruler;
 pub mod vary;
 mod vectors;
 
-use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Frame, Vec2};
-use crate::game::{Game, History};
-use crate::settings::Action;
-use crate::ui::{Ui, input::Input};
-use crate::view::{focus::Focus, theme};
 use crate::words::tr;
+use crate::{draw::Style, game::Game, game::History, settings::Action, ui::Ui, ui::input::Input, view::focus::Focus, view::theme};
 pub use measure::Measures;
 pub use plot::{Plot, PlotPlaces};
 use vary::Vary;

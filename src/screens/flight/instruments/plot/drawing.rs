@@ -1,15 +1,11 @@
 //! The plot: buttons and readings on the left, the lanes with their curves on the right, a line of words at the foot.
 
-use super::hand::{READINGS, SAMPLE};
-use super::{Plot, PlotPlaces};
+use super::{Plot, PlotPlaces, hand::READINGS, hand::SAMPLE};
 use crate::draw::chart::{CurveLook, Linear, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, GRID, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
-use crate::instruments::chart::{Chart, ChartLane};
-use crate::instruments::{chart, curve::Curve, fit::Fit, quantity::Quantity, track::BodyTrack};
-use crate::number::scalar;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::instruments::{chart, chart::Chart, chart::ChartLane, curve::Curve, fit::Fit, quantity::Quantity, track::BodyTrack};
+use crate::{number::scalar, view::theme, view::widgets, words::tr};
 use std::ops::Range;
 
 /// The least distance of labels, in heights of the text: to the right and upwards.

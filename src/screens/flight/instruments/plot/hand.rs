@@ -3,8 +3,7 @@
 
 use super::{Plot, SHORTEST};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
-use crate::instruments::{chart::Chart, quantity::Quantity};
-use crate::{settings::Key, ui::input::Input};
+use crate::{instruments::chart::Chart, instruments::quantity::Quantity, settings::Key, ui::input::Input};
 
 /// The part of the stretch of time that a notch of the wheel leaves.
 const NOTCH: f64 = 0.8;

@@ -8,12 +8,10 @@ mod panel;
 
 use super::Stage;
 use crate::draw::layout::{Area, Frame, Vec2};
-use crate::game::{History, body_title};
 use crate::instruments::chart::{Chart, ChartMember, TimeWindow};
-use crate::instruments::quantity::{Quantity, VectorPart};
 use crate::instruments::{curve::Curve, fit::FitLaw, track::BodyTrack};
-use crate::physics::{BodyId, DVec2};
-use crate::ui::{Ui, input::Input};
+use crate::{game::History, game::body_title, instruments::quantity::Quantity, instruments::quantity::VectorPart};
+use crate::{physics::BodyId, physics::DVec2, ui::Ui, ui::input::Input};
 use crate::{screens::flight::pilot::Ahead, session::library::NewFile, words::tr};
 use choices::PlotObject;
 pub use hand::PlotPlaces;

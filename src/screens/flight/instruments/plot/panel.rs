@@ -1,15 +1,11 @@
 //! The buttons of the panel: their effects, their places, and the lists to choose from. A law through the selected curve, and the curves as files.
 
 use super::choices::{self, PlotObject, choices};
-use super::hand::{MOST_LINES, PlotPlaces};
-use super::{Plot, PlotLine, along};
+use super::{Plot, PlotLine, along, hand::MOST_LINES, hand::PlotPlaces};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::instruments::chart::{self, Exported};
-use crate::instruments::fit::{Fit, FitLaw};
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{lanes, theme};
-use crate::words::tr;
 use crate::{draw::Style, files::INPUTS, game::Game, instruments::quantity::Quantity, physics::BodyId, session::library::NewFile};
+use crate::{instruments::fit::Fit, instruments::fit::FitLaw, ui::Ui, ui::WidgetKind, view::lanes, view::theme, words::tr};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Action {

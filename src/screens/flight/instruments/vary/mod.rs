@@ -5,12 +5,10 @@ mod places;
 
 use super::Stage;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, Vec2};
-use crate::instruments::vary::{SliderTrack, Variation};
-use crate::level::{Level, Parameter};
 use crate::ui::{EntryEvent, EntryField, SliderMove, SliderShown, Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::{decimals, tr};
 use crate::{draw::Style, game::body_title, number::scalar, physics::BodyId};
+use crate::{instruments::vary::SliderTrack, instruments::vary::Variation, level::Level, level::Parameter};
+use crate::{view::theme, view::widgets, words::decimals, words::tr};
 use places::{DragHold, Layout};
 
 const NAME: &str = "Name of the level";

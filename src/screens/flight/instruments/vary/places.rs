@@ -2,12 +2,9 @@
 //! can vary, which the pointer leads elsewhere in the level itself.
 
 use super::{Varied, Vary, VaryFrom};
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, Vec2};
-use crate::level::{Level, Parameter};
 use crate::physics::{Aabb, BodyId, DVec2};
-use crate::ui::input::Input;
-use crate::view::{camera::Viewport, theme};
+use crate::{draw::Canvas, level::Level, level::Parameter, ui::input::Input, view::camera::Viewport, view::theme};
 
 /// Widths in heights of the text: of a line's name, slider, number and reset.
 const COLUMNS: [f32; 4] = [7.2, 6.0, 7.2, 6.6];
