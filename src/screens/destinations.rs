@@ -121,7 +121,6 @@ fn fly(attempt: Attempt, session: &mut Session, spectator: &mut dyn Spectator) -
     }
 }
 
-/// Flies the level of a folder, or of a file in it, wherever that is.
 fn fly_folder(path: &Path, session: &mut Session, spectator: &mut dyn Spectator) -> Box<dyn Screen> {
     let (heading, problems) = match session.library.open(path) {
         Some(name) => match session.library.load(&name) {
@@ -230,7 +229,6 @@ fn played(value: &str) -> Result<LinkTarget, String> {
     Ok(if experiment { LinkTarget::Experiment(name.to_owned()) } else { LinkTarget::Level(name.to_owned()) })
 }
 
-/// A tab's words in small letters, with hyphens.
 fn page(value: &str) -> Result<Page, String> {
     let named = |words: &str| words.to_lowercase().replace(' ', "-");
     let found = PAGES.iter().find(|(_, words)| named(words) == value).map(|(page, _)| *page);

@@ -9,7 +9,6 @@ use crate::{draw::layout::Area, draw::layout::Frame, session::worker::Brought, s
 use crate::{session::Session, session::recordings::FlightCandidate, session::recordings::Visit, settings::Settings};
 use std::{any::Any, fmt, path::Path, path::PathBuf, rc::Rc, sync::Arc};
 
-/// The tune of the menus.
 const MENU_TUNE: &str = "0";
 
 /// A screen: one function that shows it and answers for it, and a few facts that most leave as they are.
@@ -202,11 +201,9 @@ pub enum Classic {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Make {
     New(String),
-    /// A copy of the first, named like the second.
     Copy(String, String),
     /// A copy of the level in that folder, of that name.
     CopyOf(PathBuf, String),
-    /// The first, named like the second.
     Rename(String, String),
 }
 
@@ -218,7 +215,6 @@ pub enum OnLevel {
     Bin(String),
     /// Takes the last one out of the bin.
     TakeBack,
-    /// Shows its folder.
     Folder(String),
 }
 
@@ -274,17 +270,13 @@ pub enum Destination {
     Settings,
     /// The list of classics, with the keyboard on the one that was left.
     Classics(Option<Classic>),
-    /// One of them, from its beginning.
     Classic(Classic),
-    /// A climb that has ended.
     Climbed(Box<JumperScene>),
     /// The Lab, with the list of experiments at the one that was left.
     Lab(Option<String>),
     Experiment(String),
     Dropped(PathBuf),
-    /// Where a link into the game leads.
     Link(String),
-    /// What a browser keeps for the page.
     #[cfg(all(feature = "window", browser))]
     PageData,
 }
@@ -298,13 +290,10 @@ pub enum Effect {
     OnLevel(OnLevel),
     /// Saves the level that is flown as it is varied, under that name, or any where that is empty.
     SaveVaried(Variation, String),
-    /// Keeps a curve as a file.
     Export(NewFile),
     /// The player's prediction for an experiment stays as it is from now on.
     Predict,
-    /// Saves the player's answers to an experiment.
     HandIn,
-    /// Keeps a flight as a file.
     Keep(FlightCandidate),
     CopyCode(FlightCandidate),
     /// Proves a flight by its code, and lists it.

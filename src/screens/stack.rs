@@ -15,7 +15,6 @@ const MOST_PASSES: usize = 3;
 /// The panel that names the level appears after this time, s: a level that loads sooner opens without it.
 const TOLD_AFTER: f64 = 0.25;
 
-/// A request that waits for the worker.
 #[derive(Debug)]
 struct Loading {
     ticket: Ticket,
@@ -149,7 +148,6 @@ impl Stack {
         }
     }
 
-    /// The screens that are open, the one that is shown last.
     fn all(&self) -> impl Iterator<Item = &dyn Screen> {
         self.below.iter().chain([&self.top]).map(|screen| &**screen)
     }
@@ -276,7 +274,6 @@ impl Stack {
                     self.grant(request, spectator);
                 }
             }
-            // [`Stack::update`] answers these.
             Request::Quit | Request::QuitAnyway => {}
         }
     }

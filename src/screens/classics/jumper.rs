@@ -50,7 +50,6 @@ struct ClimbPanel {
 }
 
 impl Default for Jumper {
-    /// The question of how many climb.
     fn default() -> Self {
         Self::with_panel(JumperScene::new(0, true), tr("Jumper"), vec![ONE, TWO, BOARD, BACK])
     }
@@ -314,7 +313,6 @@ fn colour_of(player: usize) -> Colour {
 struct View {
     bottom: f64,
     left: f32,
-    /// Of the view's lower edge.
     height: f32,
     /// Canvas units a metre.
     scale: f32,

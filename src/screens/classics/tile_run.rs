@@ -14,7 +14,6 @@ pub const FRAME_RATE: f64 = 30.0;
 const PUSH: f64 = 0.1;
 /// What Space jumps with, tiles a frame.
 const JUMP: f64 = 0.6;
-/// How many of the last places the trail shows.
 const TRAIL: usize = 90;
 
 /// From the canvas' edges to the map, and from its top to it.
@@ -28,7 +27,6 @@ const RUNNER: f64 = 0.3;
 pub struct TileRun {
     map: Map,
     commands: Vec<Command>,
-    /// Whether the commands are watched, rather than the keys obeyed.
     pub watching: bool,
     pub paused: bool,
     pub runner: Runner,

@@ -282,7 +282,6 @@ impl Flight {
         None
     }
 
-    /// Whether a body can be picked out.
     pub(super) const fn is_looked_at(&self) -> bool {
         self.seen.details || self.seen.picture || self.seen.instruments.is_open()
     }

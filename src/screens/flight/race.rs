@@ -26,7 +26,6 @@ pub struct Ghost {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Split {
-    /// Its index in the level.
     pub objective: usize,
     /// Ticks on the clock when it was met for the first time.
     pub tick: u64,

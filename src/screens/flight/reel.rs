@@ -1,5 +1,4 @@
-//! A recorded flight on the screen: played, paused, slowed down, shown tick by tick in both directions. The picture is the game itself,
-//! flown again to the wanted moment.
+//! A recorded flight on the screen: played, paused, slowed down, tick by tick in both directions. It is flown again to the wanted moment.
 
 use super::{Flight, pilot::Controller, pilot::Viewer};
 use crate::draw::layout::{Area, Frame, TEXT, Vec2};
@@ -62,7 +61,8 @@ impl Flight {
         }
         self.fly_ahead(input.worked());
         self.follow_keys(ui);
-        let line = time_line(&ui.frame());
+        let size = ui.frame().size;
+        let line = Area::new(SIDES, size.y - FOOT + 44.0, size.x - 2.0 * SIDES, 12.0);
         self.seen.observer.zoom(input);
         // Clicks on the controls pick no body.
         if self.is_looked_at() && input.pointer.y < line.min.y {
@@ -84,7 +84,6 @@ impl Flight {
         }
     }
 
-    /// Keys without a button, and keys that repeat.
     fn follow_keys(&mut self, ui: &mut Ui<'_>) {
         let (input, second) = (ui.input(), (PAGE * self.run.game.tick_rate()).round() as i64);
         for key in ui.strokes(&[Key::Left, Key::Right, Key::PageUp, Key::PageDown]) {
@@ -154,7 +153,6 @@ impl Flight {
         }
     }
 
-    /// Its picture, without panels and display.
     pub(in crate::screens) fn scene_behind(&self, frame: &Frame) -> Option<GameScene<'_>> {
         let scene = self.scene(frame)?;
         let overlays = Overlays { shown: HudShown::default(), ..scene.overlays };
@@ -217,10 +215,6 @@ impl Flight {
         canvas.text(&pace, Vec2::new(size.x - 24.0, y), number.right());
         widgets::fitted(canvas, &viewer.title, Vec2::new(size.x / 2.0, top + 20.0), size.x - 64.0, &[TEXT], theme::quiet());
     }
-}
-
-fn time_line(frame: &Frame) -> Area {
-    Area { min: Vec2::new(SIDES, frame.size.y - FOOT + 44.0), size: Vec2::new(frame.size.x - 2.0 * SIDES, 12.0) }
 }
 
 /// A pace in words: 1/8×, 4×.

@@ -105,7 +105,6 @@ impl Flight {
         }
     }
 
-    /// Whether the world waits for a prediction.
     pub(super) fn waits_for_prediction(&self) -> bool {
         let predicts = self.open.sheet.as_ref().is_some_and(|sheet| sheet.predicts());
         predicts && self.is_by_hand() && self.run.game.ticks() == 0
@@ -161,7 +160,6 @@ impl Worksheet {
         self.act(pressed?)
     }
 
-    /// What has been typed into a cell or as the prediction.
     fn take_entry(&mut self, ui: &mut Ui<'_>, tick: u64) {
         let Some(EntryEvent::Taken(label, text)) = ui.entry_event(&mut self.entry) else { return };
         self.entry.close();

@@ -242,7 +242,6 @@ pub(super) fn make(make: &Make, session: &mut Session) -> Result<(), String> {
     Ok(())
 }
 
-/// Writes a level as one file; the answer is where.
 fn share(name: &str, session: &Session) -> Result<PathBuf, Vec<String>> {
     let (package, _) = pack::gather(&session.library.folder(name), session.library.root())?;
     let bytes = pack::write(&package).map_err(|problem| vec![problem])?;
@@ -255,7 +254,6 @@ fn free(folder: &Path, name: &str, word: &str) -> String {
     if scaffold::judge(folder, name).is_ok() { name.to_owned() } else { scaffold::free_name(folder, name, word) }
 }
 
-/// Moves a level's folder into the bin; the answer is where.
 fn put_away(name: &str, session: &Session) -> Result<PathBuf, Vec<String>> {
     let (from, bin) = (session.library.levels().join(name), session.library.root().join(BIN));
     if level::is_shipped(&from) {

@@ -30,7 +30,6 @@ pub struct LevelSelect {
     /// What is to be found, and which entries that finds.
     find: String,
     found: Vec<usize>,
-    /// The levels found, page by page and shelf by shelf.
     pages: Vec<Vec<Range<usize>>>,
     page: usize,
     /// The level that has the focus when the page opens, and the one that has it now.
@@ -48,7 +47,6 @@ pub struct LevelSelect {
     asked: BTreeMap<String, Ticket>,
 }
 
-/// What a name is asked for.
 #[derive(Clone, Debug)]
 enum Asked {
     New,
@@ -110,7 +108,6 @@ impl LevelSelect {
         }
     }
 
-    /// The flights of the level at that place in the list, where it loads.
     fn visit(&self, index: usize) -> Option<Request> {
         let LevelEntry { name, level, .. } = &self.entries[index];
         let loads = level.as_ref().is_some_and(Result::is_ok) && self.purpose != Purpose::Edit;

@@ -58,7 +58,7 @@ impl ShipForces {
     }
 
     /// By when all of it is there, s.
-    fn whole(&self) -> f64 {
+    pub fn whole(&self) -> f64 {
         BEGIN + STEP * (self.forces.len() + 2) as f64
     }
 }
@@ -105,11 +105,6 @@ impl Scoring {
         for (words, place, colour) in places {
             canvas.text(&words, Vec2::new(place.x, foot.y + place.y - at.y), Style { colour, ..style });
         }
-    }
-
-    /// By when the arrows stand, s.
-    pub(super) fn forces_stand(&self) -> f64 {
-        self.moment.as_ref().map_or(0.0, ShipForces::whole)
     }
 }
 

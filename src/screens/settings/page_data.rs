@@ -16,7 +16,6 @@ const DELETE: &str = "Delete all";
 #[derive(Debug, Default)]
 pub struct PageData {
     message: String,
-    /// Whether the next press deletes everything.
     warned: bool,
 }
 

@@ -1,5 +1,4 @@
-//! The measuring instruments beside the flight: a rail of buttons, which I opens, and a panel each. They take the clicks and keys
-//! that are their own; the flight has the rest.
+//! The measuring instruments beside the flight: a rail of buttons, which I opens, and a panel each. The flight has what they leave of the input.
 
 mod dock;
 mod figures;
@@ -30,9 +29,7 @@ pub enum Tool {
     Vectors,
     Ruler,
     Figures,
-    /// Curves of two objects.
     Plot,
-    /// "What if".
     Vary,
 }
 
@@ -63,11 +60,9 @@ pub struct Stage<'a> {
     /// The whole flight, which may go beyond that moment.
     pub history: &'a History,
     pub focus: &'a Focus,
-    /// The level, where it can be varied.
     pub varied: Option<vary::Varied<'a>>,
     /// Whether the world can go to another moment: in a pause or in a replay.
     pub seekable: bool,
-    /// Whether the level is seen, and no picture in its place.
     pub seen: bool,
     /// The height above the flight's foot that its signs need, canvas units.
     pub sign: f32,

@@ -73,8 +73,7 @@ impl Measures {
     }
 }
 
-/// A line a kind of energy or part of the momentum from `first` on, a bar in each column, all of a unit to one scale, where momentum has its zero in
-/// the middle; `column` says where a column begins and how wide it is.
+/// Lines from `first` on, a bar in each column, all of a unit to one scale, with momentum's zero in the middle; `column`: its begin and width.
 fn draw_bars(canvas: &Canvas, bars: &[FigureBar], (first, line): (Vec2, f32), column: &dyn Fn(usize) -> (f32, f32)) {
     for (row, bar) in bars.iter().enumerate() {
         let all = || bars.iter().filter(|other| other.unit == bar.unit).flat_map(|bar| &bar.values).copied();

@@ -21,7 +21,6 @@ const SHADE: f32 = 0.22;
 const HINT: &str =
     "While the world is frozen (B) a click leads to that moment. Shift and drag: an area. Wheel: zoom. N: the followed object.";
 
-/// From numbers to a lane.
 #[derive(Clone, Copy)]
 struct Scale {
     area: Area,
@@ -73,7 +72,7 @@ impl Plot {
         canvas.line(panel.min, Vec2::new(panel.max().x, panel.min.y), 2.0, theme::panel_edge());
         self.draw_lines(places, canvas);
         self.draw_lanes(places, chart, canvas);
-        let fit = self.fit_words();
+        let fit = self.fit().zip(self.lines.get(self.selected)).map(|(fit, line)| fit.words(line.up, self.across));
         let (words, colour) = match (&self.message, &fit) {
             (Some((words, true)), _) => (words.as_str(), theme::bad()),
             (Some((words, false)), _) => (words.as_str(), theme::good()),
@@ -170,7 +169,6 @@ impl Plot {
         }
     }
 
-    /// In the lane's corner and above its curves.
     fn draw_name(&self, lane: &ChartLane, area: Area, text: f32, canvas: &Canvas) {
         let (name, style) = (lane.name(|number| self.lines[number].up.symbol()), Style::new(DETAILS, theme::text()).middle());
         let size = Vec2::new(canvas.width(&name, style) + GRID, 1.4 * text);
@@ -206,7 +204,6 @@ impl Plot {
         }
     }
 
-    /// As far as it is inside its lane.
     fn draw_fit(&self, scale: &Scale, canvas: &Canvas) {
         let line = scale.within(self.fit().into_iter().flat_map(Fit::drawn).collect());
         let inside = |at: &Vec2| (scale.area.min.y..=scale.area.max().y).contains(&at.y);

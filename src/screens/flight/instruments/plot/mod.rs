@@ -60,7 +60,6 @@ pub struct Plot {
     tick_rate: f64,
     /// `None`: the whole flight.
     window: Option<TimeWindow>,
-    /// The ticks between which the area is.
     span: Option<(u64, u64)>,
     selected: usize,
     /// The law that goes through the selected curve, and its figures for the present stretch.
@@ -75,7 +74,6 @@ pub struct Plot {
     pub seek: Option<u64>,
     now: u64,
     ahead: Ahead,
-    /// In the last pass.
     places: Option<PlotPlaces>,
 }
 
@@ -257,7 +255,6 @@ impl Plot {
         if from.is_finite() { (from, to.max(from + AT_LEAST)) } else { (0.0, AT_LEAST) }
     }
 
-    /// The run before included.
     fn chart(&self) -> Chart {
         let window = self.window();
         let mut members: Vec<ChartMember> = self.shown().map(|(i, line, track)| (i, &line.now, track.places(window))).collect();
