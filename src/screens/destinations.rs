@@ -1,33 +1,16 @@
 //! Where a request leads: what is read before, and the screen that opens. Links into the game, as a page's address has them behind `#`:
 //! `play=experiments/friction&follow=Box+1&details=1`, `play=2`, `lab=stress-tests`.
 
-use super::boards;
-use super::boards::flights::Flights;
-use super::classics::Classics;
-use super::classics::jumper::Jumper;
-use super::classics::pi::Pi;
-use super::classics::tile_run::TileRun;
-use super::editor::Editor;
-use super::flight::Flight;
-use super::lab::Lab;
-use super::levels::LevelSelect;
-use super::menu::Menu;
-use super::menu::credits::Credits;
-use super::players::PlayerList;
-use super::scoring::Scoring;
 use super::screen::{Classic, Destination, PAGES, Page, Purpose, Screen};
 #[cfg(all(feature = "window", browser))]
 use super::settings;
-use super::settings::SettingsPanel;
-use crate::classics::jumper::LEADERBOARD;
-use crate::files;
-use crate::game::body_title;
+use super::{boards, editor::Editor, flight::Flight, scoring::Scoring};
+use super::{boards::flights::Flights, classics::jumper::Jumper, classics::tile_run::TileRun, lab::Lab, settings::SettingsPanel};
+use super::{classics::Classics, classics::pi::Pi, levels::LevelSelect, menu::Menu, menu::credits::Credits, players::PlayerList};
 use crate::level::{self, judge_name};
-use crate::physics::BodyId;
 use crate::session::library::{Attempt, is_of_level, named};
 use crate::session::{Session, recordings::FlightSource, worker::Errand};
-use crate::ui::Spectator;
-use crate::words::tr;
+use crate::{classics::jumper::LEADERBOARD, files, game::body_title, physics::BodyId, ui::Spectator, words::tr};
 use std::path::Path;
 
 /// What is to be read before a place opens, with its name in words.
@@ -138,7 +121,6 @@ fn fly(attempt: Attempt, session: &mut Session, spectator: &mut dyn Spectator) -
     }
 }
 
-/// Flies the level of a folder, or of a file in it, wherever that is.
 fn fly_folder(path: &Path, session: &mut Session, spectator: &mut dyn Spectator) -> Box<dyn Screen> {
     let (heading, problems) = match session.library.open(path) {
         Some(name) => match session.library.load(&name) {
@@ -247,7 +229,6 @@ fn played(value: &str) -> Result<LinkTarget, String> {
     Ok(if experiment { LinkTarget::Experiment(name.to_owned()) } else { LinkTarget::Level(name.to_owned()) })
 }
 
-/// A tab's words in small letters, with hyphens.
 fn page(value: &str) -> Result<Page, String> {
     let named = |words: &str| words.to_lowercase().replace(' ', "-");
     let found = PAGES.iter().find(|(_, words)| named(words) == value).map(|(page, _)| *page);

@@ -1,6 +1,5 @@
-//! The screens: folders by what a person does, run and tested without a window. A screen takes an [`Input`] a frame and may answer with
-//! a [`Request`]; the [`Stack`] of open screens grants it in one place, by the [`Session`] that outlasts them. Rules of the game, scores, names and files are
-//! not here but in the modules below; the window is above.
+//! The screens: folders by what a person does, run and tested without a window. A screen takes an [`Input`] a frame and may answer with a
+//! [`Request`], which the [`Stack`] of open screens grants. Rules of the game, scores, names and files are in the modules below.
 
 mod boards;
 mod classics;

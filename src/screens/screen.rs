@@ -1,21 +1,14 @@
 //! What a screen is.
 
-use crate::draw::layout::{Area, Frame};
 use crate::game::{Game, RunResult};
 use crate::session::library::{Attempt, Flown, NewFile};
-use crate::session::recordings::{FlightCandidate, Visit};
-use crate::session::worker::{Brought, Ticket};
 use crate::ui::{Spectator, Ui, input::Input, pace::Motion};
 use crate::view::{GhostShip, Overlays, camera::Viewport, hud::Aside};
 use crate::{classics::jumper::JumperScene, draw::Canvas, instruments::vary::Variation, level::Level, scores::Name};
-use crate::{session::Session, settings::Settings};
-use std::any::Any;
-use std::fmt;
-use std::path::{Path, PathBuf};
-use std::rc::Rc;
-use std::sync::Arc;
+use crate::{draw::layout::Area, draw::layout::Frame, session::worker::Brought, session::worker::Ticket};
+use crate::{session::Session, session::recordings::FlightCandidate, session::recordings::Visit, settings::Settings};
+use std::{any::Any, fmt, path::Path, path::PathBuf, rc::Rc, sync::Arc};
 
-/// The tune of the menus.
 const MENU_TUNE: &str = "0";
 
 /// A screen: one function that shows it and answers for it, and a few facts that most leave as they are.
@@ -208,11 +201,9 @@ pub enum Classic {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Make {
     New(String),
-    /// A copy of the first, named like the second.
     Copy(String, String),
     /// A copy of the level in that folder, of that name.
     CopyOf(PathBuf, String),
-    /// The first, named like the second.
     Rename(String, String),
 }
 
@@ -224,7 +215,6 @@ pub enum OnLevel {
     Bin(String),
     /// Takes the last one out of the bin.
     TakeBack,
-    /// Shows its folder.
     Folder(String),
 }
 
@@ -280,17 +270,13 @@ pub enum Destination {
     Settings,
     /// The list of classics, with the keyboard on the one that was left.
     Classics(Option<Classic>),
-    /// One of them, from its beginning.
     Classic(Classic),
-    /// A climb that has ended.
     Climbed(Box<JumperScene>),
     /// The Lab, with the list of experiments at the one that was left.
     Lab(Option<String>),
     Experiment(String),
     Dropped(PathBuf),
-    /// Where a link into the game leads.
     Link(String),
-    /// What a browser keeps for the page.
     #[cfg(all(feature = "window", browser))]
     PageData,
 }
@@ -304,13 +290,10 @@ pub enum Effect {
     OnLevel(OnLevel),
     /// Saves the level that is flown as it is varied, under that name, or any where that is empty.
     SaveVaried(Variation, String),
-    /// Keeps a curve as a file.
     Export(NewFile),
     /// The player's prediction for an experiment stays as it is from now on.
     Predict,
-    /// Saves the player's answers to an experiment.
     HandIn,
-    /// Keeps a flight as a file.
     Keep(FlightCandidate),
     CopyCode(FlightCandidate),
     /// Proves a flight by its code, and lists it.

@@ -1,17 +1,12 @@
 //! The screens that are open, the topmost of which is shown: how a frame goes, and the one place where requests are granted.
 
-use super::destinations::{open, reading};
-use super::editor::Editor;
-use super::menu::{Closing, Menu};
 use super::screen::{Destination, Effect, GameScene, Request, Screen};
-use crate::draw::{Canvas, layout::Frame};
-use crate::scores::Name;
-use crate::session::worker::{Ticket, Worker};
-use crate::session::{Places, Session, library};
+use super::{destinations::open, destinations::reading, editor::Editor, menu::Closing, menu::Menu};
+use crate::session::{Places, Session, library, worker::Ticket, worker::Worker};
 use crate::settings::{Key, Keys, Settings};
-use crate::ui::input::{Input, Stale};
 use crate::ui::pace::{self, Pace, Picture};
 use crate::ui::{Memory, PassInput, Spectator};
+use crate::{draw::Canvas, draw::layout::Frame, scores::Name, ui::input::Input, ui::input::Stale};
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -20,7 +15,6 @@ const MOST_PASSES: usize = 3;
 /// The panel that names the level appears after this time, s: a level that loads sooner opens without it.
 const TOLD_AFTER: f64 = 0.25;
 
-/// A request that waits for the worker.
 #[derive(Debug)]
 struct Loading {
     ticket: Ticket,
@@ -154,7 +148,6 @@ impl Stack {
         }
     }
 
-    /// The screens that are open, the one that is shown last.
     fn all(&self) -> impl Iterator<Item = &dyn Screen> {
         self.below.iter().chain([&self.top]).map(|screen| &**screen)
     }
@@ -281,7 +274,6 @@ impl Stack {
                     self.grant(request, spectator);
                 }
             }
-            // [`Stack::update`] answers these.
             Request::Quit | Request::QuitAnyway => {}
         }
     }

@@ -1,17 +1,11 @@
-//! A number or a name that a click opens as a line of text. Enter takes it, and so does a click elsewhere; Esc gives it up.
-//!
-//! A slider: a knob on a track, dragged by the pointer, and moved by left and right where it has the focus.
-//!
-//! Tooltips: words beside the pointer, above all else.
+//! A number or a name that a click opens as a line of text: Enter takes it, and so does a click elsewhere; Esc gives it up. Sliders, which the
+//! pointer drags, and left and right move where they have the focus. Tooltips: words beside the pointer, above all else.
 
-use super::text_field::TextField;
-use super::{Touch, Ui, WidgetKind};
+use super::{Touch, Ui, WidgetKind, text_field::TextField};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
-use crate::draw::{Colour, Style};
 use crate::view::{theme, widgets as paint};
-use crate::{settings::Key, words::tr};
+use crate::{draw::Colour, draw::Style, settings::Key, words::tr};
 
-/// From the box's edge to its text.
 const INSIDE: f32 = 0.75 * GRID;
 /// The most characters of an entry.
 const MOST: usize = 40;

@@ -1,11 +1,8 @@
 //! The player's input of one frame, in canvas units and without a window.
 
-use crate::draw::layout::{Frame, Vec2};
-use crate::physics::{BodyId, DVec2};
 use crate::settings::{Action, Key, Keys, Settings};
-use std::cell::{Cell, RefCell};
-use std::path::PathBuf;
-use std::rc::Rc;
+use crate::{draw::layout::Frame, draw::layout::Vec2, physics::BodyId, physics::DVec2};
+use std::{cell::Cell, cell::RefCell, path::PathBuf, rc::Rc};
 
 /// The buttons' answer to an input, for the sound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,5 @@
-//! The keyboard: from single presses to the keys of a frame, without a window.
-//!
-//! Dead keys: a mark that waits for its letter. X11 hands them over as they are; Windows and browsers compose by themselves.
+//! The keyboard: from single presses to the keys of a frame, without a window. Dead keys, each a mark that waits for its letter: X11 hands
+//! them over as they are; Windows and browsers compose by themselves.
 
 use super::input::{Input, Keyed};
 use crate::settings::{Key, Keys, layout};

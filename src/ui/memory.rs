@@ -1,12 +1,8 @@
-//! The memory of a screen's widgets from frame to frame: the focus, the highlight under the pointer, the position of each list.
-//!
-//! Listeners of the game.
+//! The memory of a screen's widgets from frame to frame: focus, highlight under the pointer, position of each list. Listeners of the game.
 
 use super::input::{ButtonAnswer, Input, Repeat};
 use super::scroll::Scroll;
-use crate::draw::layout::{Area, Vec2};
-use crate::game::Game;
-use crate::settings::{Key, Keys};
+use crate::{draw::layout::Area, draw::layout::Vec2, game::Game, settings::Key, settings::Keys};
 use std::collections::BTreeMap;
 
 /// The inputs that a widget answers.
@@ -84,7 +80,7 @@ pub(super) struct PassShown {
 
 #[derive(Debug, Default)]
 pub struct Memory {
-    shown: PassShown,
+    pub(super) shown: PassShown,
     /// One a layer.
     focus: Vec<Option<Spot>>,
     pub(super) hover: Option<String>,
@@ -95,7 +91,7 @@ pub struct Memory {
     pointer: Option<Vec2>,
     pub(super) scrolls: BTreeMap<String, Scroll>,
     pub(super) repeat: Repeat,
-    frames: usize,
+    pub(super) frames: usize,
     settled: bool,
 }
 
@@ -116,14 +112,6 @@ impl Memory {
     /// Whether the last frame has shown the present focus.
     pub fn is_settled(&self) -> bool {
         self.settled
-    }
-
-    pub(super) fn is_new(&self) -> bool {
-        self.frames == 0
-    }
-
-    pub(super) fn layer(&self) -> usize {
-        self.shown.layer
     }
 
     /// Focuses a widget of the topmost layer; `None`: the screen's default.

@@ -1,8 +1,6 @@
 //! Widgets without a window. A screen is one function over a [`Ui`]: it names its widgets, which are laid out and recorded on a
-//! [`Canvas`], and the same call returns the player's input to each, by mouse, keys and gamepad.
-//!
-//! A frame runs the function twice or more. The first pass acts: it sees presses, and its picture is dropped. The passes after it
-//! show: without presses and without time; the last one is the picture. Labels identify widgets; [`Memory`] keeps their state.
+//! [`Canvas`], and the same call returns the player's input to each. The first pass of a frame acts: it sees presses, and its picture is
+//! dropped. The others show, without presses and time; the last one is the picture. Labels identify widgets; [`Memory`] keeps their state.
 
 mod entry;
 pub mod input;
@@ -34,9 +32,7 @@ pub struct Ui<'a> {
     group: usize,
     /// Age of the screen, s: carets blink by it.
     time: f64,
-    /// Whether this is the pass that acts.
     acting: bool,
-    /// Whether widgets leave the keys to the screen.
     by_pointer: bool,
     /// The words beside the pointer, and the foot of its box where it has a place of its own.
     tip: Option<(String, Option<f32>)>,
@@ -46,7 +42,6 @@ pub struct Ui<'a> {
 pub struct PassInput<'a> {
     pub input: &'a Input,
     pub canvas: &'a Canvas,
-    /// Watches the ticks of a game.
     pub spectator: &'a mut dyn Spectator,
     /// Age of the screen, s.
     pub time: f64,
@@ -97,12 +92,12 @@ impl<'a> Ui<'a> {
     }
 
     pub fn opens(&self) -> bool {
-        self.memory.is_new()
+        self.memory.frames == 0
     }
 
     /// Whether the present layer is the topmost one: the others answer nothing.
     pub fn is_live(&self) -> bool {
-        self.shown.layer == self.memory.layer()
+        self.shown.layer == self.memory.shown.layer
     }
 
     pub fn key(&self, key: Key) -> bool {

@@ -2,23 +2,19 @@
 
 use crate::ui::input::Input;
 
-/// The longest time that one frame brings, s: a machine that slept, or a system clock that was set, brings no more. A slower frame would
-/// lose ticks in any case.
+/// The longest time that one frame brings, s, after a sleep or a system clock that was set. A slower frame would lose ticks in any case.
 pub const LONGEST: f64 = 0.25;
 /// From one frame to the next where nothing is flown, s.
 pub const EASY: f64 = 1.0 / 30.0;
-/// The same where another window has the keyboard and nothing is drawn. With the keyboard that would be too long: of two presses of a
-/// key in one frame one is lost.
+/// The same where another window has the keyboard and nothing is drawn. With it too long: of two presses of a key in a frame one is lost.
 pub const AWAY: f64 = 0.1;
 /// A player who has done nothing for so long is taken to have left, s.
 pub const LEFT: f64 = 10.0;
 /// The same where a screen rests and the player has left, s: whatever is pressed ends it at once.
 pub const DOZE: f64 = 0.5;
-/// So long after the last input, and after the screen has changed, every frame is drawn, s: highlights, scrolling and fades come to
-/// their end within it.
+/// So long after the last input, and after the screen has changed, every frame is drawn, s: highlights, scrolling and fades end within it.
 pub const LINGER: f64 = 1.0;
-/// A screen that rests is drawn this often all the same, s: a cursor blinks, a file has changed, another window has covered this one;
-/// and this often where the player has left.
+/// A resting screen is drawn this often all the same, s: cursors blink, files change, windows cover it; and this often where the player left.
 pub const BEATS: [f64; 2] = [0.5, 4.0];
 /// A menu that nobody touches comes to rest after this, s.
 pub const REST: f64 = 60.0;
@@ -51,7 +47,6 @@ pub enum Picture {
     Drawn,
     /// It is drawn, and kept to be shown again.
     Kept,
-    /// The one that was kept is shown again.
     Again,
 }
 

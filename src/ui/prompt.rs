@@ -1,22 +1,10 @@
-//! A panel that asks for one line of text: a new name.
-//!
-//! A panel with a level's problems.
-//!
-//! A field for a name, and two buttons below it.
+//! A panel that asks for one line of text: a new name. A panel with a level's problems. A field for a name, and two buttons below it.
 
-use super::scroll::{BAR_WIDTH, bar_beside};
-use super::text_field::TextField;
-use super::{FieldEvent, Turning, Ui};
-use crate::draw::Style;
+use super::{FieldEvent, Turning, Ui, scroll::BAR_WIDTH, scroll::bar_beside, text_field::TextField};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
-use crate::scores::{NAME_TYPING_MAX, Name};
-use crate::settings::Key;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, scores::NAME_TYPING_MAX, scores::Name, settings::Key, view::theme, view::widgets, words::tr};
 
-/// Least width and height of the panel.
 const PANEL: Vec2 = Vec2::new(640.0, 264.0);
-/// The most letters that the field takes.
 const MOST: usize = 400;
 
 /// What came of a frame.
@@ -80,11 +68,9 @@ impl Prompt {
 
 /// From the canvas' edges to the panel, canvas units, as all lengths here.
 const MARGIN: Vec2 = Vec2::new(80.0, 56.0);
-/// From the panel's top to its first line.
 const HEAD: f32 = 72.0;
 /// From its last line to its bottom: the button.
 const FOOT: f32 = 3.0 * PADDING + ROW_BUTTON.y;
-/// From its left edge to its lines.
 const LEFT: f32 = PADDING + 8.0;
 /// The part of its width beside the lines, with the scroll bar.
 const ASIDE: f32 = LEFT + 2.0 * PADDING + BAR_WIDTH;
@@ -136,9 +122,7 @@ impl Problems {
     }
 }
 
-/// Width and height of the field.
 const FIELD: Vec2 = Vec2::new(720.0, 56.0);
-/// What is wrong with the name of a player who has none.
 const NOBODY: &str = "Guest is the player who has no name yet: choose another one.";
 
 /// What came of a frame.
@@ -153,7 +137,6 @@ pub enum NameEntry {
 #[derive(Debug)]
 pub struct NameField {
     field: TextField,
-    /// What is wrong with the name or went wrong with it.
     error: Option<String>,
 }
 

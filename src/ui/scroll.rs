@@ -1,10 +1,8 @@
 //! A list that is longer than its window: its first line in view, by keys, wheel and a bar that can be dragged.
 
 use super::input::{Input, Repeat};
-use crate::draw::layout::{Area, Vec2};
-use crate::settings::Key;
+use crate::{draw::layout::Area, draw::layout::Vec2, settings::Key};
 
-/// Lines a notch of the wheel.
 const WHEEL_LINES: f32 = 3.0;
 /// Canvas units.
 pub const BAR_WIDTH: f32 = 12.0;
@@ -17,7 +15,6 @@ pub struct Bar {
     pub track: Area,
     /// Shows and moves the part in view.
     pub handle: Area,
-    /// Whether the pointer holds the handle.
     pub held: bool,
 }
 

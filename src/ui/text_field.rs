@@ -1,12 +1,8 @@
 //! One line of text that can be edited.
 
 use super::input::{Input, Repeat, Stroke};
-use crate::draw::layout::{Area, Vec2};
-use crate::draw::{Canvas, Style};
-use crate::settings::{Key, Keys};
-use crate::view::theme;
+use crate::{draw::Canvas, draw::Style, draw::layout::Area, draw::layout::Vec2, settings::Key, settings::Keys, view::theme};
 
-/// Keys that move and delete.
 const KEYS: [Key; 6] = [Key::Left, Key::Right, Key::Home, Key::End, Key::Backspace, Key::Delete];
 /// With Ctrl: select all, copy, cut, paste.
 const COMMANDS: [Key; 4] = [Key::A, Key::C, Key::X, Key::V];
@@ -150,8 +146,7 @@ impl TextField {
         self.text[..self.caret].iter().collect()
     }
 
-    /// `inside` is the padding of the box. `time` (s) makes the caret blink; `None`: the field has no focus. The caret stays in
-    /// view: a text wider than the box loses its beginning.
+    /// `inside`: the box's padding; `time` (s) makes the caret blink, `None`: no focus. A text wider than the box loses its beginning.
     pub fn draw(&self, canvas: &Canvas, area: Area, (size, inside): (f32, f32), time: Option<f64>) {
         let style = Style::new(size, theme::text()).mono().middle();
         let width = |from: usize, to: usize| canvas.width(&self.text[from..to].iter().collect::<String>(), style);

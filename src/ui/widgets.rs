@@ -1,17 +1,12 @@
 //! Widgets: buttons alone, in rows and columns, on a tool bar; values to choose; lines of text; lists that scroll.
 
-use super::Ui;
-use super::input::Input;
-use super::memory::WidgetKind;
-use super::text_field::TextField;
+use super::{Ui, input::Input, memory::WidgetKind, text_field::TextField};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, GRID, HEADING, MARGIN, PADDING, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Align, Canvas, Colour, Style};
-use crate::settings::{Key, Keys};
 use crate::view::{theme, widgets as paint};
-use crate::words::tr;
+use crate::{settings::Key, settings::Keys, words::tr};
 use std::ops::Range;
 
-/// Opacity of the dusk over a game.
 const DUSK: f32 = 0.75;
 /// Width of a choice's value, at its right.
 const VALUE_WIDTH: f32 = 200.0;
@@ -20,9 +15,7 @@ const VALUE_WIDTH: f32 = 200.0;
 pub struct Touch {
     /// The pointer is on it, and moved last.
     pub hover: bool,
-    /// It has the keyboard's focus.
     pub focus: bool,
-    /// The player pressed it in this frame.
     pub pressed: bool,
 }
 
@@ -58,7 +51,6 @@ impl Turning {
         }
     }
 
-    /// The part of the input that scrolls.
     fn input(self, input: &Input) -> Input {
         let aside = |key: Key| match key {
             Key::Left => Key::PageUp,
@@ -130,8 +122,7 @@ impl Ui<'_> {
         self.buttons(self.frame().column(labels.len(), top), labels)
     }
 
-    /// Buttons at the foot of a scene whose arrow keys have other work: each shows its own key, which presses it unless the screen has
-    /// claimed it.
+    /// Buttons at the foot of a scene whose arrows have other work: each shows its own key, which presses it unless the screen claims it.
     pub fn tools<'l>(&mut self, tools: &[(&'l str, Key, &str)]) -> Option<&'l str> {
         let least: Vec<f32> = tools.iter().map(|(label, ..)| self.least_width(label)).collect();
         let areas = self.frame().row_of(&least, self.frame().size.y - ROW_BUTTON.y - MARGIN);
@@ -147,8 +138,7 @@ impl Ui<'_> {
         pressed
     }
 
-    /// A value that left, right and a click on either half change, and Enter raises; returns whether it rises or falls. `share` (0
-    /// … 1) is its place in its range.
+    /// A value that left, right and a click on either half change, and Enter raises; whether it rises. `share` (0 … 1): its place in its range.
     pub fn choice(&mut self, label: &str, area: Area, value: &str, share: Option<f32>) -> Option<bool> {
         let touch = self.touch(label, area, WidgetKind::Choice);
         let place = Area::new(area.max().x - VALUE_WIDTH, area.min.y, VALUE_WIDTH, area.size.y);
@@ -216,8 +206,7 @@ impl Ui<'_> {
         self.memory.scrolls.entry(name.to_owned()).or_default().show(line);
     }
 
-    /// Rows that are pressed like buttons; arrows walk them, and scroll at the ends of the view. `draw` draws a row; returns the
-    /// index of the pressed one.
+    /// Rows that are pressed like buttons; arrows walk them, and scroll at the ends of the view. Returns the index of the pressed one.
     pub fn list(
         &mut self,
         name: &str,
@@ -250,12 +239,8 @@ impl Ui<'_> {
 /// The places of a list's rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Rows {
-    /// The first row in view.
     pub first: Area,
-    /// From one row to the next.
     pub pitch: f32,
-    /// The most rows in view.
     pub page: usize,
-    /// Track of the scroll bar.
     pub track: Area,
 }

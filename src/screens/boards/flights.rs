@@ -1,21 +1,13 @@
 //! The flights of a level: the one just flown, the level's own, and those of its board. One is watched or kept as a file, one or several are raced.
 
-use crate::draw::Style;
 use crate::draw::layout::{Area, Frame, TEXT, Vec2};
-use crate::level::Level;
-use crate::number::clock;
-use crate::scores::{Board, subject};
-use crate::screens::flight::race::MOST_RIVALS;
 use crate::screens::screen::{Destination, Effect, Request, Screen};
-use crate::session::Session;
 use crate::session::recordings::{self, FlightCandidate, FlightSource, Visit};
-use crate::settings::{Action, Key};
 use crate::ui::{Spectator, Turning, Ui, input::Stroke, scroll::bar_beside};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, level::Level, session::Session, view::theme, view::widgets, words::tr};
+use crate::{number::clock, scores::Board, scores::subject, screens::flight::race::MOST_RIVALS, settings::Action, settings::Key};
 use std::ops::Range;
 
-/// Flights in view.
 const PAGE: usize = 10;
 /// Height of a row, and width of the panel, also in heights of the text.
 const ROW: f32 = 40.0;
@@ -40,7 +32,6 @@ fn width(frame: &Frame) -> f32 {
 fn column(number: usize, width: f32) -> Vec2 {
     Vec2::new(COLUMNS[number] * width / WIDTH, 0.0)
 }
-/// What moves the choice.
 const KEYS: [Key; 6] = [Key::Up, Key::Down, Key::PageUp, Key::PageDown, Key::Home, Key::End];
 
 #[derive(Debug)]
@@ -48,12 +39,9 @@ pub struct Flights {
     visit: Visit,
     subject: String,
     pub candidates: Vec<FlightCandidate>,
-    /// Whether the record of each has been read.
     read: Vec<bool>,
-    /// Those that are to be raced.
     marked: Vec<usize>,
     chosen: usize,
-    /// Those that were in view in the last frame.
     shown: Range<usize>,
     /// What became of something that was asked for, and whether that is bad.
     message: Option<(String, bool)>,
@@ -241,8 +229,7 @@ impl Screen for Flights {
         self.message = Some((reason, true));
     }
 
-    /// Reads the record of one flight in view that has not been read yet, for its time and score: one file is enough for a frame. A record
-    /// that cannot be read says so when it is asked for.
+    /// Reads one record in view for its time and score: one file is enough for a frame. One that cannot be read says so when it is asked for.
     fn attend(&mut self, session: &mut Session) {
         let Some(index) = self.shown.clone().find(|&index| self.read.get(index) == Some(&false)) else { return };
         self.read[index] = true;

@@ -3,14 +3,12 @@
 pub mod flights;
 
 use crate::draw::layout::{Area, DETAILS, HEADING, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
-use crate::game::{Medal, Prize};
 use crate::scores::{Board, LoadedBoard, Name, damage_text, subject};
 use crate::screens::screen::{Classic, Destination, Purpose, Request, Screen};
 use crate::session::recordings::{self, BoardRival, Visit};
 use crate::ui::{Turning, Ui, scroll::bar_beside};
-use crate::view::{theme, widgets};
 use crate::{classics::jumper::LEADERBOARD, number::clock, screens::classics::jumper, session::Session, settings::Key, words::tr};
+use crate::{draw::Canvas, draw::Style, game::Medal, game::Prize, view::theme, view::widgets};
 use std::ops::Range;
 
 const PAGE: usize = 10;
@@ -19,7 +17,6 @@ const WIDTH: f32 = 1000.0;
 /// From the panel's top to the first row: the columns' names.
 const HEAD: f32 = 48.0;
 const TOP: f32 = 120.0;
-/// From the panel down to the buttons.
 const FOOT: f32 = 44.0;
 /// Where the columns stand, from the panel's left edge: rank (its right end), name, what is said of a rival, time and score (their right ends).
 const COLUMNS: [f32; 5] = [80.0, 128.0, 356.0, 664.0, 880.0];
@@ -43,13 +40,11 @@ pub struct Leaderboard {
     rivals: Vec<BoardRival>,
     /// The rows, and the rivals where their scores are.
     lines: Vec<BoardLine>,
-    /// The lines that were in view in the last frame.
     shown: Range<usize>,
     /// The level that it is of; `None` for the jumper.
     level: Option<String>,
     /// Whose row is picked out: that of who plays.
     player: Name,
-    /// What is wrong with the scores file.
     damage: Option<String>,
     /// Where its buttons lead; the last one is Back.
     onward: Vec<(&'static str, Request)>,

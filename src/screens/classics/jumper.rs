@@ -4,14 +4,10 @@ use crate::classics::jumper::engine::{Cuboid, CuboidHit, StaticKind, WIDTH};
 use crate::classics::jumper::{JumpKeys, JumperScene, LEADERBOARD, PLAYER_SIZE, VISIBLE};
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, HEADING, PADDING, TEXT, Vec2, WIDE_BUTTON};
 use crate::draw::{Canvas, Colour, Style};
-use crate::game::{Clock, TICK_RATE};
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::session::{Gain, Session, recordings::Visit};
-use crate::settings::{Key, Keys};
-use crate::ui::input::{Input, KeyLatch};
-use crate::ui::{Spectator, Ui, pace::Motion};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::ui::{Spectator, Ui, input::Input, input::KeyLatch, pace::Motion};
+use crate::{game::Clock, game::TICK_RATE, settings::Key, settings::Keys, view::theme, view::widgets, words::tr};
 
 /// What its leaderboard is of, in words.
 pub const SUBJECT: &str = "the Jumper";
@@ -54,7 +50,6 @@ struct ClimbPanel {
 }
 
 impl Default for Jumper {
-    /// The question of how many climb.
     fn default() -> Self {
         Self::with_panel(JumperScene::new(0, true), tr("Jumper"), vec![ONE, TWO, BOARD, BACK])
     }
@@ -318,7 +313,6 @@ fn colour_of(player: usize) -> Colour {
 struct View {
     bottom: f64,
     left: f32,
-    /// Of the view's lower edge.
     height: f32,
     /// Canvas units a metre.
     scale: f32,

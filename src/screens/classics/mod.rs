@@ -4,9 +4,8 @@ pub mod jumper;
 pub mod pi;
 pub mod tile_run;
 
-use crate::draw::layout::{TEXT, Vec2};
 use crate::screens::screen::{Classic, Destination, Request, Screen};
-use crate::view::theme;
+use crate::{draw::layout::TEXT, draw::layout::Vec2, view::theme};
 use crate::{settings::Key, ui::Ui, words::tr};
 
 /// The classics, the words on their buttons, and what each is.

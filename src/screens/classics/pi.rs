@@ -5,12 +5,10 @@ use crate::draw::layout::{Area, BUTTON_TEXT, MONO_ADVANCE, TEXT, TITLE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
 use crate::ui::{Ui, input::Input, pace::Motion};
-use crate::view::{theme, widgets};
-use crate::{number, settings::Key, words::tr};
+use crate::{number, settings::Key, view::theme, view::widgets, words::tr};
 
 /// Seconds of the scene a second, from the slowest to the fastest; it begins with the real one.
 const SPEEDS: [f64; 6] = [0.01, 0.05, 0.25, 1.0, 2.0, 4.0];
-/// Which of them it begins with.
 const REAL: usize = 3;
 /// A hitch counts as at most so long, s.
 const LONGEST_FRAME: f64 = 0.1;
@@ -18,7 +16,6 @@ const LONGEST_FRAME: f64 = 0.1;
 const MOST_A_FRAME: u64 = 300_000;
 /// The first digits of π, as many as there are places at the largest N.
 pub const DIGITS: &str = "3141592653";
-/// N at the start.
 const FIRST_N: u32 = 2;
 
 /// How long the counter shows that there was a collision, s.
@@ -32,7 +29,6 @@ const METRE: f32 = 300.0;
 /// Canvas units a unit of the blocks' sides, |log₁₀(mass + 10)|: the largest block, 18 of them, leaves room for the counter.
 const SIDE: f32 = 19.0;
 
-/// The buttons, and the key of each.
 const TOOLS: [(&str, Key, &str); 6] = [
     ("Back", Key::Escape, "Esc"),
     ("Restart", Key::R, "R"),

@@ -2,13 +2,10 @@
 
 use crate::classics::tile_run::{Command, MAX_FALL, Map, Runner};
 use crate::draw::layout::{Area, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
 use crate::screens::screen::{Classic, Destination, Noise, Request, Screen};
-use crate::settings::{Key, Keys};
-use crate::ui::input::{Input, KeyLatch};
-use crate::ui::{Ui, pace::Motion};
-use crate::view::{theme, widgets};
+use crate::{draw::Canvas, draw::Style, settings::Key, settings::Keys};
 use crate::{game::Clock, number::fixed, words::tr};
+use crate::{ui::Ui, ui::input::Input, ui::input::KeyLatch, ui::pace::Motion, view::theme, view::widgets};
 use std::collections::VecDeque;
 
 /// Frames of the tile run a second: at twice as many it is too fast for fingers.
@@ -17,7 +14,6 @@ pub const FRAME_RATE: f64 = 30.0;
 const PUSH: f64 = 0.1;
 /// What Space jumps with, tiles a frame.
 const JUMP: f64 = 0.6;
-/// How many of the last places the trail shows.
 const TRAIL: usize = 90;
 
 /// From the canvas' edges to the map, and from its top to it.
@@ -31,7 +27,6 @@ const RUNNER: f64 = 0.3;
 pub struct TileRun {
     map: Map,
     commands: Vec<Command>,
-    /// Whether the commands are watched, rather than the keys obeyed.
     pub watching: bool,
     pub paused: bool,
     pub runner: Runner,

@@ -1,14 +1,9 @@
 //! An attempt and its end: its score, or the next attempt.
 
-use super::Flight;
-use super::open::FlownTrail;
-use super::pilot::steers;
-use super::race::Race;
-use super::what_if::WhatIf;
+use super::{Flight, open::FlownTrail, pilot::steers, race::Race, what_if::WhatIf};
 use crate::game::{Game, GameEvent, History, Outcome, Replay, RunResult};
 use crate::screens::screen::{Destination, Effect, Finished, Request};
-use crate::session::library::{Attempt, Flown};
-use crate::session::{Gain, Session};
+use crate::session::{Gain, Session, library::Attempt, library::Flown};
 use crate::{number::clock, scores::subject, settings::Key, ui::input::Input, words::tr};
 use std::rc::Rc;
 
@@ -19,8 +14,7 @@ const LOSS_PAUSE: f64 = 0.35;
 /// Time for which a notice stays, s: that a level was read again, or that the attempt before was lost.
 pub(super) const NOTICE: f64 = 5.0;
 
-/// A goal that is met shows half a second at this pace: the time of the picture alone, for every tick stays what it is. Ticks of that, and the
-/// least ticks from one such time to the next: a goal may be met and left again and again.
+/// At a met goal the picture, not the ticks, slows to this pace for so many ticks; at least so many to the next: it may be met again and again.
 const SLOW: f64 = 0.4;
 const SLOW_TICKS: u64 = 24;
 const BETWEEN_SLOW: u64 = 240;
@@ -99,7 +93,6 @@ impl Flight {
         RunResult { assisted: self.run.assisted, ..self.run.game.result() }
     }
 
-    /// What a flight that has just been completed brings, where it counts.
     fn gain(&self) -> Option<Gain> {
         let (level, points) = (self.run.game.level(), self.run.game.result().score.total);
         let saves = self.run.game.outcome() == Outcome::Completed && points > 0;
@@ -171,24 +164,20 @@ impl Flight {
     }
 }
 
-/// The attempt that is flown: its game, its history, and what has become of it.
 #[derive(Debug)]
 pub(super) struct Run {
     pub attempt: Attempt,
-    /// At the moment on the screen.
     pub game: Game,
     /// All flown ticks, which may go beyond the moment on the screen.
     pub history: History,
     pub race: Option<Race>,
     /// The varied level; its flight does not count.
     pub what_if: Option<Box<WhatIf>>,
-    /// Whether the player has had help.
     pub assisted: bool,
     /// Time since the end of the attempt, s.
     pub ended: f64,
     /// What the attempt, which has ended, brought the player, in words.
     pub remark: Option<String>,
-    /// The attempt before, while the loss of it is shown.
     pub lost: Option<Box<Lost>>,
     /// Up to this tick the flight is shown in slow motion: a goal has been met.
     pub slow_until: u64,

@@ -12,19 +12,14 @@ mod signs;
 mod what_if;
 mod worksheet;
 
-use crate::draw::{Canvas, layout::Frame};
 use crate::game::{Game, GameError, History, Medals, Outcome};
-use crate::physics::{BodyId, DVec2};
-use crate::screens::flight::instruments::{Instruments, Stage};
+use crate::screens::flight::{instruments::Instruments, instruments::Stage, observer::Observer, race::Race};
 use crate::screens::screen::{AboveGame, Destination, Effect, GameScene, Request, Screen};
-use crate::screens::{flight::observer::Observer, flight::race::Race};
-use crate::session::Session;
-use crate::session::library::{Attempt, is_of_level};
-use crate::session::worker::{Brought, Ticket};
+use crate::session::{Session, library::Attempt, library::is_of_level, worker::Brought, worker::Ticket};
 use crate::settings::{Action, Key, Keys, Settings};
 use crate::ui::{Spectator, Ui, input::Input, pace::Motion};
-use crate::view::hud::{Aside, HudShown};
-use crate::view::{Overlays, camera::Viewport, focus::Focus};
+use crate::view::{Overlays, camera::Viewport, focus::Focus, hud::Aside, hud::HudShown};
+use crate::{draw::Canvas, draw::layout::Frame, physics::BodyId, physics::DVec2};
 use ending::{END_PAUSE, Run};
 use observer::Observation;
 use open::Open;
@@ -287,7 +282,6 @@ impl Flight {
         None
     }
 
-    /// Whether a body can be picked out.
     pub(super) const fn is_looked_at(&self) -> bool {
         self.seen.details || self.seen.picture || self.seen.instruments.is_open()
     }

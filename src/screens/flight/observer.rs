@@ -1,5 +1,4 @@
-//! The observer of a flight stops the world, takes it a tick on or back, slows it down or speeds it up, and picks out the bodies that the
-//! details are about.
+//! The observer of a flight stops the world, takes it a tick on or back, sets its pace, and picks out the bodies that the details are about.
 
 use super::instruments::Instruments;
 use crate::settings::{Action, Bindings, Key};
@@ -34,7 +33,6 @@ pub struct Observer {
     pace: usize,
     pub(super) focus: Focus,
     map: bool,
-    /// The keys in its words.
     keys: Bindings,
 }
 
@@ -45,7 +43,6 @@ impl Default for Observer {
 }
 
 impl Observer {
-    /// An observer at the pace 1 of a rising list.
     pub(super) fn with_paces(paces: &'static [f64]) -> Self {
         let pace = paces.iter().position(|pace| *pace == 1.0).unwrap_or(0);
         Self { frozen: false, paces, pace, focus: Focus::default(), map: false, keys: Bindings::default() }
@@ -80,8 +77,7 @@ impl Observer {
         self.focus.zoom_by(by_keys + input.wheel.round() as i8);
     }
 
-    /// Picks out one of a game's bodies, or two, by a key or by a click (with Shift or Ctrl: to compare), and makes arrows longer or
-    /// shorter by Ctrl with the keys that zoom.
+    /// Picks out one body by a key or a click, or two (with Shift or Ctrl: to compare); Ctrl with the keys that zoom lengthens arrows.
     pub(super) fn look(&mut self, input: &Input, game: &Game) {
         if input.acts(Action::Next) {
             self.focus.next(game.lead(), game.world().bodies().len());

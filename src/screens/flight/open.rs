@@ -1,8 +1,6 @@
-//! What is open over a flight: its panels and notices, and the level's files. The pause panel, and the settings above it. The path of a
-//! flight and its impacts, for the picture of the level.
+//! What is open over a flight: panels, notices, the level's files; the pause panel with the settings; a flight's path for the level's picture.
 
-use super::Flight;
-use super::signs::{Hints, News};
+use super::{Flight, signs::Hints, signs::News};
 use crate::draw::layout::{Area, HEADING, PADDING, Vec2, WIDE_BUTTON};
 use crate::game::{Game, GameError, GameEvent, History, SHIP};
 use crate::screens::screen::{Destination, Effect, Purpose, Request, Screen};
@@ -30,25 +28,21 @@ pub(super) struct Open {
     /// The label of the pause panel's last button, while the panel is open.
     pub pause: Option<&'static str>,
     pub settings: Option<Box<SettingsPanel>>,
-    /// The problems of their file.
     pub settings_problems: Vec<String>,
     /// The state of the level's files, while it is shown.
     pub news: Option<News>,
     pub hints: Hints,
     /// Age of the introduction, while it is shown, s.
     pub introduced: Option<f64>,
-    /// Whether the player has completed the level before.
     pub done: bool,
     /// Of an experiment that is listed.
     pub sheet: Option<Box<Worksheet>>,
     /// Whether the flight tries out an edited level: it does not count.
     pub test: bool,
-    /// Of a test.
     pub trail: FlownTrail,
     /// Whether that level is in memory only.
     pub in_memory: bool,
     pub watch: Option<FolderWatch>,
-    /// The level, while it is read again.
     pub reading: Option<Ticket>,
 }
 
@@ -68,8 +62,7 @@ impl Flight {
         Ok(flight)
     }
 
-    /// An attempt that tries out an edited level, in memory only or as its files are, from its start or from where a flight was stopped: Esc
-    /// and F5 lead back to the editor, and so does its end.
+    /// An attempt at an edited level, from its start or from where a flight was stopped: Esc, F5 and its end lead back to the editor.
     pub(in crate::screens) fn test(
         (level, in_memory): (Arc<Level>, bool),
         (left, on): (Vec<String>, Option<Box<Game>>),

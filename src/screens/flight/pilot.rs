@@ -1,8 +1,6 @@
-//! The source of a flight's controls, the moment of it that is shown, its rewinding, and modifiers that type. How many ticks are flown in a frame beside
-//! what is shown: as many as frames stay short with.
+//! The source of a flight's controls, its moment that is shown, its rewinding, modifiers that type, and how many ticks a frame flies ahead.
 
-use super::Flight;
-use super::what_if::AGAIN;
+use super::{Flight, what_if::AGAIN};
 use crate::game::{Clock, Controls, Inputs, Latch, Outcome, Playback, Unflown};
 use crate::settings::{Action, Bindings, Key, Keys};
 use crate::ui::input::{Input, Stale};
@@ -74,15 +72,12 @@ pub(super) struct Viewer {
     pub unflown: Option<Unflown>,
     /// Ticks to fly of them in a frame.
     pub ahead: Ahead,
-    /// Whether the pointer holds the time line.
     pub dragged: bool,
 }
 
 #[derive(Debug)]
 pub(super) enum Controller {
-    /// The player's keys.
     Hands(Latch),
-    /// The rest of recorded inputs.
     Inputs(Playback),
     /// A recorded flight: the history holds its ticks.
     Reel(Box<Viewer>),
@@ -134,7 +129,6 @@ pub(super) fn steers(input: &Input) -> bool {
 }
 
 impl Flight {
-    /// Flies the ticks of a frame, unless the world stands still.
     pub(super) fn fly(&mut self, input: &Input, spectator: &mut dyn Spectator) {
         let soon = (SOON * self.run.game.tick_rate()) as u64;
         let (input, mistaken) = &self.pilot.modifiers.flying(input, self.run.game.ticks(), soon);
@@ -218,7 +212,6 @@ impl Flight {
         }
     }
 
-    /// Freezes the world at another moment of its history.
     pub(super) fn seek(&mut self, tick: u64, spectator: &mut dyn Spectator) {
         self.seen.observer.freeze();
         self.run.assisted |= self.is_by_hand();
@@ -258,7 +251,6 @@ impl Flight {
         }
     }
 
-    /// Forgets the keys that no tick has taken.
     pub(super) fn let_go(&mut self) {
         self.pilot.source.let_go();
         self.pilot.modifiers = Modifiers::default();
@@ -325,7 +317,6 @@ const SOON: f64 = 0.5;
 enum ModifierState {
     #[default]
     Up,
-    /// From that tick on.
     Flies(u64),
     Types,
 }

@@ -1,10 +1,9 @@
 //! Those who fly along: recorded flights as ghosts, and how the ship stands to them at each objective.
 
 use crate::game::{Game, GameError, GameEvent, GhostPose, GhostTrack, Outcome, SHIP};
-use crate::number::{fixed, hundredths};
 use crate::view::hud::{self, Aside};
-use crate::view::{GhostShip, theme};
 use crate::{draw::Canvas, level::Level, session::library::Rival, words::tr};
+use crate::{number::fixed, number::hundredths, view::GhostShip, view::theme};
 use std::sync::Arc;
 
 /// The most ghosts at a time: more would hide the level, and each is flown once.
@@ -27,7 +26,6 @@ pub struct Ghost {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Split {
-    /// Its index in the level.
     pub objective: usize,
     /// Ticks on the clock when it was met for the first time.
     pub tick: u64,

@@ -1,19 +1,13 @@
-//! A recorded flight on the screen: played, paused, slowed down, shown tick by tick in both directions. The picture is the game itself,
-//! flown again to the wanted moment.
+//! A recorded flight on the screen: played, paused, slowed down, tick by tick in both directions. It is flown again to the wanted moment.
 
-use super::Flight;
-use super::pilot::{Controller, Viewer};
+use super::{Flight, pilot::Controller, pilot::Viewer};
 use crate::draw::layout::{Area, Frame, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
 use crate::game::{Clock, Outcome, Reel};
-use crate::number::clock;
 use crate::screens::screen::{GameScene, Request, Screen};
-use crate::screens::{flight::observer::Observer, flight::pilot::Ahead};
-use crate::session::library::Attempt;
-use crate::settings::{Action, Key};
 use crate::ui::{Spectator, Ui, WidgetKind, input::Input};
 use crate::view::{Overlays, hud::HudShown, theme, widgets};
-use crate::words::tr;
+use crate::{draw::Canvas, draw::Style, settings::Action, settings::Key, words::tr};
+use crate::{number::clock, screens::flight::observer::Observer, screens::flight::pilot::Ahead, session::library::Attempt};
 
 /// Paces of a reel; 1 is the pace of the flight.
 const PACES: [f64; 7] = [0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0];
@@ -67,7 +61,8 @@ impl Flight {
         }
         self.fly_ahead(input.worked());
         self.follow_keys(ui);
-        let line = time_line(&ui.frame());
+        let size = ui.frame().size;
+        let line = Area::new(SIDES, size.y - FOOT + 44.0, size.x - 2.0 * SIDES, 12.0);
         self.seen.observer.zoom(input);
         // Clicks on the controls pick no body.
         if self.is_looked_at() && input.pointer.y < line.min.y {
@@ -89,7 +84,6 @@ impl Flight {
         }
     }
 
-    /// Keys without a button, and keys that repeat.
     fn follow_keys(&mut self, ui: &mut Ui<'_>) {
         let (input, second) = (ui.input(), (PAGE * self.run.game.tick_rate()).round() as i64);
         for key in ui.strokes(&[Key::Left, Key::Right, Key::PageUp, Key::PageDown]) {
@@ -159,7 +153,6 @@ impl Flight {
         }
     }
 
-    /// Its picture, without panels and display.
     pub(in crate::screens) fn scene_behind(&self, frame: &Frame) -> Option<GameScene<'_>> {
         let scene = self.scene(frame)?;
         let overlays = Overlays { shown: HudShown::default(), ..scene.overlays };
@@ -222,10 +215,6 @@ impl Flight {
         canvas.text(&pace, Vec2::new(size.x - 24.0, y), number.right());
         widgets::fitted(canvas, &viewer.title, Vec2::new(size.x / 2.0, top + 20.0), size.x - 64.0, &[TEXT], theme::quiet());
     }
-}
-
-fn time_line(frame: &Frame) -> Area {
-    Area { min: Vec2::new(SIDES, frame.size.y - FOOT + 44.0), size: Vec2::new(frame.size.x - 2.0 * SIDES, 12.0) }
 }
 
 /// A pace in words: 1/8×, 4×.

@@ -1,21 +1,14 @@
 //! A level that begins again, or whose files change while it is flown.
 
-use super::Flight;
-use super::ending::{NOTICE, Run};
-use super::open::Open;
-use super::pilot::Pilot;
-use super::signs::News;
+use super::{Flight, ending::NOTICE, ending::Run, open::Open, pilot::Pilot, signs::News};
 use crate::game::{GameError, History, Outcome, level_hash};
-use crate::level::document::{LevelFolder, Opened};
 use crate::level::{Level, Problem, scaffold};
 use crate::session::library::{Attempt, Refusal};
-use crate::session::{Session, journal::Worksheet};
 use crate::{files, instruments::vary::Variation, screens::flight::race::Race, ui::Spectator, words::tr};
-use std::path::Path;
-use std::sync::Arc;
+use crate::{level::document::LevelFolder, level::document::Opened, session::Session, session::journal::Worksheet};
+use std::{path::Path, sync::Arc};
 
 impl Flight {
-    /// Has the level read again when its files have changed.
     pub(super) fn look_at_files(&mut self, frame_time: f64, session: &mut Session) {
         // A flight that is watched or in memory only has no files.
         let Some(watch) = &mut self.open.watch else { return };
@@ -25,7 +18,6 @@ impl Flight {
         self.open.reading = Some(session.worker.ask(session.level_errand(&self.run.attempt.level.name)));
     }
 
-    /// Goes on in the level as it was read again.
     pub(super) fn take_over_from_disk(
         &mut self,
         folder: &Path,
@@ -51,7 +43,6 @@ impl Flight {
         }
     }
 
-    /// Whether the level is read again before it is flown once more.
     pub(super) fn reads_again(&self, session: &Session) -> bool {
         !self.open.in_memory && files::is_folder(&session.library.folder(&self.run.attempt.level.name))
     }
@@ -145,8 +136,7 @@ impl Flight {
         Ok(())
     }
 
-    /// Goes on in a level that has been edited: where the ship is, as far as there is room, else from the start. A flight in two levels is a
-    /// flight with help.
+    /// Goes on in an edited level, where there is room at the ship's place, else from the start. A flight in two levels is one with help.
     pub(super) fn take_over(&mut self, level: Arc<Level>, spectator: &mut dyn Spectator) {
         if self.run.game.outcome() != Outcome::Running {
             return;
@@ -178,7 +168,6 @@ impl Flight {
         self.open.news = Some(News::Broken(problems));
     }
 
-    /// A frame of the notice that the level has changed.
     pub(super) fn age_news(&mut self, frame_time: f64) {
         if let Some(News::Changed(since, _)) = &mut self.open.news {
             *since += frame_time;

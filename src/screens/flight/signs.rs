@@ -1,17 +1,12 @@
-//! Signs above a flight: the pace of its time, a test flight, the loss of the attempt before, a varied level, changed files. The notice of a level
-//! whose files have changed since they were read. Hints of a level: one at a time, on demand, for a player who has lost it a few times or stays in it
-//! for long. The introduction of a level: its name, the whole of its rooms, its goals one after the other.
+//! Signs above a flight: its pace, a test, the loss of the attempt before, a varied level, changed files. Hints, one at a time, for a player who
+//! has lost a few times or stays for long. The introduction of a level: its name, the whole of its rooms, its goals one after the other.
 
 use super::Flight;
 use crate::draw::layout::{
     Area, DETAILS, Frame, GRID, HEADING, LINE, MONO_ADVANCE, PADDING, TEXT, TITLE, Vec2, lines, text_room, words_width, wrapped,
 };
-use crate::draw::{Canvas, Style};
-use crate::game::{Outcome, goals};
-use crate::settings::Action;
-use crate::ui::{Ui, input::Input};
 use crate::view::{camera::Viewport, emitters::objective_colour, hud::HudLayout, theme, widgets};
-use crate::words::tr;
+use crate::{draw::Canvas, draw::Style, game::Outcome, game::goals, settings::Action, ui::Ui, ui::input::Input, words::tr};
 
 /// How long the introduction stays, s, and how long it takes to come and to go.
 const LASTS: f64 = 2.0;
@@ -53,7 +48,6 @@ impl Flight {
         Some((lines, Area { min: Vec2::new((room.x - size.x) / 2.0, foot - size.y), size }))
     }
 
-    /// Of an experiment that stands at its start.
     fn start_words(&self) -> Option<String> {
         let waits = self.seen.observer.frozen() && self.run.game.ticks() == 0 && !self.run.game.level().ship_plays();
         let freeze = self.seen.observer.keys().label(Action::Freeze);
@@ -150,7 +144,6 @@ impl Flight {
         self.open.introduced.is_some() || self.seen.observer.shows_map() || overview
     }
 
-    /// Rings spread from the goals, in their order.
     pub(super) fn draw_goals_in_order(&self, view: &Viewport, canvas: &Canvas) {
         let Some(age) = self.open.introduced else { return };
         let level = self.run.game.level();
@@ -168,7 +161,6 @@ impl Flight {
         }
     }
 
-    /// Its name and its world at the left, what it offers at the right.
     pub(super) fn draw_introduction(&self, canvas: &Canvas) {
         let Some(age) = self.open.introduced else { return };
         let (level, size) = (self.run.game.level(), canvas.size());
@@ -209,11 +201,9 @@ pub(super) enum News {
     Unfinished(Vec<String>),
 }
 
-/// The most problems in the notice.
 const LISTED: usize = 6;
 /// Width of the box with time and speed, which stands at the left.
 const BESIDE: f32 = 290.0;
-/// Width of a notice without problems.
 const NARROW: f32 = 560.0;
 
 impl News {
@@ -275,7 +265,6 @@ impl Flight {
         counts && self.run.game.outcome() == Outcome::Running && !self.run.game.is_idle()
     }
 
-    /// Whether a hint is left to be given.
     pub(super) fn offers_hint(&self) -> bool {
         let Hints { losses, time, given } = self.open.hints;
         (losses >= LOSSES || time >= PATIENCE) && given < self.run.attempt.level.hints.len()
@@ -293,7 +282,6 @@ impl Flight {
         self.open.hints.given > 0
     }
 
-    /// A quiet line in the corner while a hint is offered.
     fn draw_offer(&self, canvas: &Canvas) {
         if self.offers_hint() && !self.is_watched() {
             let words = tr!("{key}: a hint", key = self.seen.observer.keys().label(Action::Hint));

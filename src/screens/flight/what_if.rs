@@ -1,20 +1,14 @@
-//! "What if": the level with other numbers, flown again by the same controls or on from where it is, beside the run before as a ghost. Nothing of it
-//! counts: only a fresh attempt at the level as it is does. Draws what tells that a level is varied: a sign with what is, the ghost of the run
-//! before, and how to go on at its end.
+//! "What if": the level with other numbers, flown again by the same controls or on from where it is, beside the run before as a ghost, below a sign
+//! with what is varied. Nothing of it counts: only a fresh attempt at the level as it is does.
 
 use super::instruments::vary::{Varied, VaryFrom, VaryWish, written};
 use super::{END_PAUSE, Flight};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, PADDING, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
 use crate::game::{Again, Controls, Game, GhostPose, History, Outcome, SHIP, Tape, body_title, object_body};
-use crate::instruments::vary::Variation;
-use crate::level::{Parameter, Problem};
-use crate::physics::{BodyId, DVec2};
-use crate::screens::screen::{Effect, Request};
-use crate::settings::Key;
-use crate::ui::{Spectator, input::Input};
 use crate::view::{GhostShip, game_view::drawn_centre, hud::HudLayout, theme, widgets};
 use crate::words::tr;
+use crate::{draw::Canvas, draw::Style, level::Parameter, level::Problem, physics::BodyId, physics::DVec2, settings::Key};
+use crate::{instruments::vary::Variation, screens::screen::Effect, screens::screen::Request, ui::Spectator, ui::input::Input};
 use std::sync::Arc;
 
 /// Ticks that are flown again in a frame: at least, at first and at most.
@@ -78,11 +72,9 @@ impl Before {
 const SAME: f64 = 1e-3;
 /// What is turned less than this is as it was, degrees.
 const AS_TURNED: f64 = 0.01;
-/// A sign beside the panel is at least so wide.
 const NARROWEST: f32 = 200.0;
 
 impl Flight {
-    /// The level that can be varied, and how it is.
     pub(super) fn varied(&self) -> Varied<'_> {
         Varied {
             level: &self.run.attempt.level,
@@ -164,7 +156,6 @@ impl Flight {
         }
         self.run.assisted = true;
         self.run.what_if = Some(Box::new(WhatIf { variation, before, tape, moment, again }));
-        // There is another run before.
         self.seen.instruments.flown_again();
         Ok(())
     }
@@ -295,7 +286,6 @@ impl Flight {
         }
     }
 
-    /// The sign, and what leads on once the run has ended.
     pub(super) fn draw_what_if(&self, canvas: &Canvas) {
         let Some(words) = self.what_if_words() else { return };
         canvas.end_layer();

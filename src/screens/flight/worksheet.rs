@@ -2,19 +2,11 @@
 //! reading, and the answer last. Above the flight, buttons for the sheet and for the free-body picture.
 
 use super::Flight;
-use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, PADDING, TEXT, Vec2, text_room};
-use crate::instruments::reading::Wanted;
-use crate::number::is_plain;
-use crate::screens::lab::Paragraphs;
-use crate::screens::screen::{Effect, Request};
-use crate::session::journal::{Reading, Worksheet};
-use crate::settings::Action;
-use crate::ui::input::Input;
-use crate::ui::scroll::BAR_WIDTH;
 use crate::ui::{EntryEvent, Turning, Ui};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, number::is_plain, settings::Action, ui::input::Input, words::tr};
+use crate::{instruments::reading::Wanted, screens::lab::Paragraphs, ui::scroll::BAR_WIDTH, view::theme, view::widgets};
+use crate::{screens::screen::Effect, screens::screen::Request, session::journal::Reading, session::journal::Worksheet};
 
 /// Of the sheet, also in heights of the text.
 const WIDTH: f32 = 552.0;
@@ -113,7 +105,6 @@ impl Flight {
         }
     }
 
-    /// Whether the world waits for a prediction.
     pub(super) fn waits_for_prediction(&self) -> bool {
         let predicts = self.open.sheet.as_ref().is_some_and(|sheet| sheet.predicts());
         predicts && self.is_by_hand() && self.run.game.ticks() == 0
@@ -169,7 +160,6 @@ impl Worksheet {
         self.act(pressed?)
     }
 
-    /// What has been typed into a cell or as the prediction.
     fn take_entry(&mut self, ui: &mut Ui<'_>, tick: u64) {
         let Some(EntryEvent::Taken(label, text)) = ui.entry_event(&mut self.entry) else { return };
         self.entry.close();

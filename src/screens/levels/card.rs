@@ -2,12 +2,10 @@
 
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, HEADING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Image, Style};
-use crate::level::{Awards, Landscape};
-use crate::session::{folder_watch::Stamp, library::Refusal};
 use crate::view::{theme, widgets};
 use crate::{game::Medals, number::clock, ui::Touch, words::tr};
+use crate::{level::Awards, level::Landscape, session::folder_watch::Stamp, session::library::Refusal};
 
-/// From a card's edge to what is on it.
 const INSIDE: f32 = 12.0;
 /// Height of the words below a card's picture, in lines of text.
 const WORDS: f32 = 2.4;
@@ -22,16 +20,13 @@ pub(super) fn draw(canvas: &Canvas, area: Area, (entry, edits): (&LevelEntry, bo
     let fitted = |text: &str, lines: f32, sizes: &[f32], colour| {
         widgets::fitted(canvas, text, middle(lines), inner.size.x, sizes, colour);
     };
+    let show_name = || {
+        let sizes = [HEADING, BUTTON_TEXT, TEXT, DETAILS];
+        widgets::fitted(canvas, &entry.name, picture.centre(), picture.size.x, &sizes, theme::quiet());
+    };
     match &entry.level {
         None => {
-            widgets::fitted(
-                canvas,
-                &entry.name,
-                picture.centre(),
-                picture.size.x,
-                &[HEADING, BUTTON_TEXT, TEXT, DETAILS],
-                theme::quiet(),
-            );
+            show_name();
             fitted(tr("loading …"), 0.9, &[TEXT, DETAILS], theme::quiet());
         }
         Some(Ok((title, painting))) => {
@@ -66,8 +61,7 @@ pub(super) fn draw(canvas: &Canvas, area: Area, (entry, edits): (&LevelEntry, bo
             }
         }
         Some(Err(_)) => {
-            let sign = picture.centre();
-            widgets::fitted(canvas, &entry.name, sign, picture.size.x, &[HEADING, BUTTON_TEXT, TEXT, DETAILS], theme::quiet());
+            show_name();
             fitted(tr("does not load"), 0.9, &[TEXT, DETAILS], theme::bad());
             let corner = Vec2::new(area.max().x - 18.0, area.min.y + 22.0);
             canvas.rounded(Area::around(corner, Vec2::new(4.0, 12.0)), 2.0, theme::bad());

@@ -1,24 +1,15 @@
 //! The files behind the list of levels: how it opens, what it asks the worker for, and levels that are made, named and installed. The buttons at the
 //! foot of the list, and what an author does there with a level: share it, put it away, take it back, see its folder.
 
-use super::card::LevelEntry;
 use super::shelves::{FOOT, FOOT_BUTTON, SIDE, from_left, from_right};
-use super::{Asked, LevelSelect};
-use crate::draw::Style;
+use super::{Asked, LevelSelect, card::LevelEntry};
 use crate::draw::layout::{Area, Frame, GAP, ROW_BUTTON, TEXT, Vec2};
-use crate::files;
-use crate::import;
 use crate::level::{self, Awards, scaffold};
 use crate::pack::{self, Installed};
 use crate::screens::screen::{Destination, Effect, Make, OnLevel, Purpose, Request};
-use crate::session::Session;
-use crate::session::library::{NewFile, Refusal};
 use crate::session::worker::{Brought, Card, Errand, Ticket};
-use crate::settings::Key;
-use crate::ui::Ui;
-use crate::ui::prompt::{Prompt, Reply};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, files, import, settings::Key, ui::Ui, view::theme, view::widgets, words::tr};
+use crate::{session::Session, session::library::NewFile, session::library::Refusal, ui::prompt::Prompt, ui::prompt::Reply};
 use std::collections::btree_map::Entry as Slot;
 use std::path::{Path, PathBuf};
 
@@ -251,7 +242,6 @@ pub(super) fn make(make: &Make, session: &mut Session) -> Result<(), String> {
     Ok(())
 }
 
-/// Writes a level as one file; the answer is where.
 fn share(name: &str, session: &Session) -> Result<PathBuf, Vec<String>> {
     let (package, _) = pack::gather(&session.library.folder(name), session.library.root())?;
     let bytes = pack::write(&package).map_err(|problem| vec![problem])?;
@@ -264,7 +254,6 @@ fn free(folder: &Path, name: &str, word: &str) -> String {
     if scaffold::judge(folder, name).is_ok() { name.to_owned() } else { scaffold::free_name(folder, name, word) }
 }
 
-/// Moves a level's folder into the bin; the answer is where.
 fn put_away(name: &str, session: &Session) -> Result<PathBuf, Vec<String>> {
     let (from, bin) = (session.library.levels().join(name), session.library.root().join(BIN));
     if level::is_shipped(&from) {

@@ -1,19 +1,14 @@
 //! A page of cards, one a level, used three times: to choose what to play, whose leaderboard to see, and what to edit. Only the levels in
 //! view are loaded, and again when their files change; typing finds those with such a name or title.
 
-use crate::draw::layout::{TEXT, Vec2};
 use crate::screens::screen::{Destination, Effect, Make, OnLevel, Purpose, Request, Screen};
 use crate::session::worker::{Brought, Errand, Ticket};
 use crate::session::{Session, folder_watch::Stamp, library::Library, recordings::Visit};
-use crate::settings::{Action, Key};
-use crate::ui::prompt::{Problems, Prompt};
-use crate::ui::{Spectator, Ui, WidgetKind};
-use crate::view::theme;
-use crate::{draw::Style, words::tr};
+use crate::ui::{Spectator, Ui, WidgetKind, prompt::Problems, prompt::Prompt};
+use crate::{draw::Style, draw::layout::TEXT, draw::layout::Vec2, settings::Action, settings::Key, view::theme, words::tr};
 use shelves::{HEAD, SIDE};
 use std::collections::{BTreeMap, BTreeSet, btree_map::Entry as Slot};
-use std::ops::Range;
-use std::path::PathBuf;
+use std::{ops::Range, path::PathBuf};
 
 mod card;
 mod files;
@@ -35,7 +30,6 @@ pub struct LevelSelect {
     /// What is to be found, and which entries that finds.
     find: String,
     found: Vec<usize>,
-    /// The levels found, page by page and shelf by shelf.
     pages: Vec<Vec<Range<usize>>>,
     page: usize,
     /// The level that has the focus when the page opens, and the one that has it now.
@@ -53,7 +47,6 @@ pub struct LevelSelect {
     asked: BTreeMap<String, Ticket>,
 }
 
-/// What a name is asked for.
 #[derive(Clone, Debug)]
 enum Asked {
     New,
@@ -115,7 +108,6 @@ impl LevelSelect {
         }
     }
 
-    /// The flights of the level at that place in the list, where it loads.
     fn visit(&self, index: usize) -> Option<Request> {
         let LevelEntry { name, level, .. } = &self.entries[index];
         let loads = level.as_ref().is_some_and(Result::is_ok) && self.purpose != Purpose::Edit;

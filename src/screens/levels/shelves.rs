@@ -1,25 +1,20 @@
 //! Where the cards of a page stand, and the buttons below them. The pages of the list: a shelf a world, two of them a page; levels without a world
 //! alone fill a page of one grid.
 
-use super::card::LevelEntry;
-use super::{LevelSelect, MOST_LETTERS};
+use super::{LevelSelect, MOST_LETTERS, card::LevelEntry};
 use crate::draw::layout::{Area, BUTTON_TEXT, Frame, GAP, ROW_BUTTON, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
-use crate::game::{Medal, Prize};
-use crate::ui::{Ui, input::Stroke};
 use crate::view::{sky::WorldPalette, theme, widgets};
+use crate::{draw::Canvas, draw::Style, game::Medal, game::Prize, ui::Ui, ui::input::Stroke};
 use crate::{level::Landscape, settings::Key, words::tr};
 use std::ops::Range;
 
 /// From the canvas' sides to the cards, and from its top: the heading.
 pub(super) const SIDE: f32 = 40.0;
 pub(super) const HEAD: f32 = 88.0;
-/// Between two cards.
 const BETWEEN: f32 = 24.0;
 /// From the canvas' bottom to the buttons below the cards, and from those to the cards.
 pub(super) const FOOT: f32 = 24.0;
 const ABOVE_FOOT: f32 = 24.0;
-/// How much wider than high a card looks best.
 const SHAPE: f32 = 1.3;
 /// No card is larger: a single level does not want the whole window.
 const LARGEST: Vec2 = Vec2::new(900.0, 600.0);
@@ -38,7 +33,6 @@ fn foot(frame: &Frame) -> f32 {
     frame.size.y - FOOT - ROW_BUTTON.y
 }
 
-/// All the window between the heading and the foot.
 pub(super) fn room(frame: &Frame) -> Area {
     Area {
         min: Vec2::new(SIDE, HEAD),
@@ -70,7 +64,6 @@ pub(super) fn cards(count: usize, frame: &Frame) -> Vec<Area> {
     (0..count).map(place).collect()
 }
 
-/// Levels a page without worlds.
 pub(super) const PAGE: usize = 15;
 /// Levels a shelf, and shelves a page: a world of six.
 const ACROSS: usize = 3;
@@ -121,7 +114,6 @@ pub(super) fn places(page: &[Range<usize>], heads: &[bool], frame: &Frame) -> (V
     (places, areas)
 }
 
-/// A world's name in its colour, and the sums of its medals.
 pub(super) fn draw_heading(canvas: &Canvas, area: Area, levels: &[&LevelEntry]) {
     let Some(world) = levels.first().map(|level| level.world) else { return };
     let (title, colour) =

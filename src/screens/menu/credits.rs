@@ -1,14 +1,11 @@
 //! Who and what the game is made of, and under which licences.
 
 use crate::draw::layout::{Area, DETAILS, GAP, LINE, MONO_ADVANCE, PADDING, ROW_BUTTON, TEXT, Vec2, wrapped};
-use crate::screens::screen::{Request, Screen};
 use crate::ui::{Turning, Ui, scroll::bar_beside};
-use crate::view::theme;
 use crate::{draw::Style, settings::Key, words::tr};
+use crate::{screens::screen::Request, screens::screen::Screen, view::theme};
 
-/// The game's own licence, word for word.
 const LICENCE: &str = include_str!("../../../LICENSE");
-/// Typefaces, and their licences.
 const FONTS: [(&str, &str); 2] = [
     ("Ubuntu Light, a typeface: Dalton Maag, Canonical", "Ubuntu Font Licence 1.0"),
     ("Hack, a typeface: C. Simpkins, DejaVu, Bitstream", "MIT; Bitstream Vera"),
@@ -40,7 +37,6 @@ const CRATES: [(&str, &str); 22] = [
 ];
 /// The longest line of the licence, characters.
 const MOST_COLUMNS: usize = 78;
-/// From the panel's sides to what is in it.
 const LEFT: f32 = 2.0 * PADDING;
 const RIGHT: f32 = 3.0 * PADDING;
 /// From the canvas' edges to the panel.
@@ -56,7 +52,6 @@ enum Credit {
 
 #[derive(Debug, Default)]
 pub struct Credits {
-    /// The number of columns that the licences are broken into.
     columns: usize,
     lines: Vec<Credit>,
 }

@@ -9,8 +9,7 @@ use crate::physics::{DVec2, ForceKind};
 use crate::session::worker::{Brought, Errand, Ticket};
 use crate::ui::pace::{self, Motion};
 use crate::ui::{Spectator, Ui, input::Input, prompt::Problems};
-use crate::view::camera::{CanvasWindow, Viewport};
-use crate::view::{scale, theme, things, widgets};
+use crate::view::{camera::CanvasWindow, camera::Viewport, scale, theme, things, widgets};
 use crate::{scores::Name, session::Session, settings::Key, words::tr};
 use balls::{Balls, METRE};
 use std::path::Path;
@@ -18,7 +17,6 @@ use std::path::Path;
 mod balls;
 pub mod credits;
 
-/// The words on the buttons of the column, from top to bottom.
 const LABELS: [&str; 6] = ["Play", "Levels", "Boards", PLAYERS, MORE, LAST];
 const PLAYERS: &str = "Players";
 /// Leads to those of the second column.
@@ -41,8 +39,7 @@ const BUTTONS_AT: f32 = 0.3;
 const VEIL: f32 = 0.7;
 /// From the canvas' edges to the button in its lower right corner.
 const CORNER: f32 = 24.0;
-/// The arrows around the title, whose sum is the one beneath it: what each is, and how far it leads on, of the title's width and of its
-/// height (upwards).
+/// The arrows around the title, whose sum is the one beneath it: how far each leads on, of the title's width and of its height (upwards).
 const ADDENDS: [(ForceKind, Vec2); 5] = [
     (ForceKind::Drive, Vec2::new(-0.1, 1.1)),
     (ForceKind::Wind, Vec2::new(0.34, 0.5)),
@@ -56,13 +53,10 @@ pub struct Menu {
     /// The level that Play opens, by name and title: the first one that the player has not done; `None` until it is found.
     next: Option<(String, String)>,
     player: Name,
-    /// What is wrong with the players' files.
     trouble: Option<String>,
     more: bool,
-    /// The button that was pressed last.
     chosen: &'static str,
     balls: Balls,
-    /// The flight that plays behind the buttons.
     behind: Option<Box<Flight>>,
     /// The boxes of the lines of words beside the buttons, the title's last.
     pub lines: Vec<Area>,
@@ -247,7 +241,6 @@ const ANYWAY: &str = "Close anyway";
 #[derive(Debug)]
 pub struct Closing {
     losses: Problems,
-    /// Whether something of that could not be written.
     failed: bool,
 }
 

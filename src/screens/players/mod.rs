@@ -1,12 +1,10 @@
 //! The list of players: the one who plays is chosen, or a new one is named.
 
 use crate::draw::layout::{Area, BUTTON_TEXT, GAP, PADDING, TEXT, Vec2};
-use crate::scores::{Name, PlayerRecord};
 use crate::screens::screen::{Effect, Request, Screen};
-use crate::ui::prompt::{NameEntry, NameField};
-use crate::ui::{Rows, Ui, scroll::bar_beside};
-use crate::view::{theme, widgets};
+use crate::ui::{Rows, Ui, prompt::NameEntry, prompt::NameField, scroll::bar_beside};
 use crate::{draw::Style, session::Session, settings::Key, words::tr};
+use crate::{scores::Name, scores::PlayerRecord, view::theme, view::widgets};
 
 const PAGE: usize = 7;
 /// Width and height of a player's button, and from one to the next.

@@ -2,15 +2,10 @@
 
 use super::{MAIN, ROW, Scoring, width};
 use crate::draw::layout::{BUTTON_TEXT, DETAILS, GRID, HEADING, TEXT, TITLE, Vec2};
-use crate::draw::{Colour, Style};
-use crate::game::{Outcome, goals};
 use crate::number::{clock, hundredths, whole_hundredths};
-use crate::ui::Ui;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Colour, draw::Style, game::Outcome, game::goals, ui::Ui, view::theme, view::widgets, words::tr};
 
-/// The middles of its lines from the canvas' top: the world, the level's title, the time, the first goal, the first part of the score and the
-/// remark; and from row to row.
+/// The middles of its lines from the canvas' top: the outcome, the level's title, the time, the first goal, the score's first part, the remark.
 const LINES: [f32; 6] = [40.0, 76.0, 144.0, 212.0, 340.0, 532.0];
 const RADIUS: f32 = 14.0;
 /// Points count up within this time, s; earned medals are stamped from the first time on, one after the other, each within the last one, and
@@ -25,7 +20,6 @@ impl Scoring {
         self.shown - STAMPS[0] - place as f64 * STAMPS[1]
     }
 
-    /// The number of stamps so far.
     pub(super) fn stamps(&self) -> usize {
         let earned = goals(&self.attempt.level.awards, &self.result).iter().filter(|goal| goal.missing.is_none()).count();
         (0..earned).filter(|place| self.stamp(*place) >= STAMPS[2]).count()
@@ -109,7 +103,6 @@ impl Scoring {
         }
     }
 
-    /// What came of the flight, from the top of the column down.
     pub(super) fn show_column(&self, ui: &mut Ui<'_>, left: f32) {
         let level = &self.attempt.level;
         let completed = self.result.outcome == Outcome::Completed;
@@ -140,7 +133,6 @@ impl Scoring {
     }
 }
 
-/// The colour of a part that brought those points.
 fn effect(points: i64) -> Colour {
     match points {
         1.. => theme::good(),

@@ -1,14 +1,9 @@
 //! The forces on the ship at one moment of its flight, tip to tail: their sum is the arrow of the game's title.
 
 use super::{EDGE, Scoring};
-use crate::draw::layout::{DETAILS, Vec2};
-use crate::draw::{Canvas, Style};
-use crate::game::{Game, SHIP};
-use crate::number::fixed;
-use crate::physics::{DVec2, ForceKind};
 use crate::view::scale::{self, ArrowKind};
-use crate::view::{camera::Viewport, theme};
-use crate::words::tr;
+use crate::{draw::Canvas, draw::Style, game::Game, game::SHIP, number::fixed, words::tr};
+use crate::{draw::layout::DETAILS, draw::layout::Vec2, physics::DVec2, physics::ForceKind, view::camera::Viewport, view::theme};
 
 /// The most room for the arrows, canvas units.
 const ROOM: Vec2 = Vec2::new(120.0, 92.0);
@@ -63,7 +58,7 @@ impl ShipForces {
     }
 
     /// By when all of it is there, s.
-    fn whole(&self) -> f64 {
+    pub fn whole(&self) -> f64 {
         BEGIN + STEP * (self.forces.len() + 2) as f64
     }
 }
@@ -110,11 +105,6 @@ impl Scoring {
         for (words, place, colour) in places {
             canvas.text(&words, Vec2::new(place.x, foot.y + place.y - at.y), Style { colour, ..style });
         }
-    }
-
-    /// By when the arrows stand, s.
-    pub(super) fn forces_stand(&self) -> f64 {
-        self.moment.as_ref().map_or(0.0, ShipForces::whole)
     }
 }
 

@@ -6,23 +6,17 @@ mod forces;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GRID, ROW_BUTTON, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, GhostTrack, Inputs, Outcome, RunResult};
-use crate::number::fixed;
-use crate::scores::Name;
-use crate::screens::players::PlayerList;
 use crate::screens::screen::{AboveGame, Destination, Finished, GameScene, Noise, Purpose, Request, Screen};
-use crate::session::Session;
-use crate::session::library::{Attempt, Flown};
 use crate::session::recordings::{self, FlightCandidate, Visit};
-use crate::settings::{Action, Key};
 use crate::ui::{Spectator, Ui, WidgetKind, input::Input, pace::Motion};
 use crate::view::{Overlays, camera::Viewport, hud::Aside, theme, widgets};
-use crate::words::tr;
+use crate::{number::fixed, scores::Name, session::Session, words::tr};
+use crate::{screens::players::PlayerList, session::library::Attempt, session::library::Flown, settings::Action, settings::Key};
 use forces::ShipForces;
 use std::rc::Rc;
 
 /// For how long the keys of menus do nothing on a page that has just opened, s: a key that was meant for the flight goes down about so late.
 const GUARD: f64 = 0.4;
-/// What steers the ship.
 const STEERING: [Action; 4] = [Action::Thrust, Action::Reverse, Action::Left, Action::Right];
 /// The keys of menus that may steer, too.
 const MENU_KEYS: [Key; 5] = [Key::Left, Key::Right, Key::Up, Key::Down, Key::Enter];
@@ -66,14 +60,12 @@ pub struct Scoring {
     saved_for: Option<Name>,
     /// For how long the page has been there, s, and whether no key that steers has been held at a moment since.
     shown: f64,
-    /// Whether a medal was stamped in the last frame.
     stamped: bool,
     released: bool,
     /// The player's best time in the level, this flight included, s.
     best: Option<f64>,
     /// The flight, where it was flown by hand.
     flown: Option<Rc<Flown>>,
-    /// The level as the flight has left it.
     end: Box<Game>,
     /// The path of the flight, then that of the best rival, with whose it is.
     paths: Vec<(String, GhostTrack)>,
@@ -121,8 +113,7 @@ impl Scoring {
         all.into_iter().filter(|(_, there)| *there).map(|(label, _)| label).collect()
     }
 
-    /// The keys of the flight do not move the focus: those of menus count once the page has stood for a moment and none that steers has been
-    /// held since the flight.
+    /// Keys of menus count once the page has stood for a moment and none that steers has been held since the flight.
     fn guard(&mut self, ui: &mut Ui<'_>) {
         let input: &Input = ui.input();
         if input.frame_time > 0.0 {
@@ -140,13 +131,6 @@ impl Scoring {
         Request::Reset(Destination::Fly(self.attempt.clone()))
     }
 
-    /// Where the level was chosen.
-    fn list(&self) -> Destination {
-        let level = &self.attempt.level;
-        if level.experiment { Destination::Lab(Some(level.name.clone())) } else { Destination::Levels(Purpose::Play) }
-    }
-
-    /// How efficient the solution was, in lines.
     fn figures(&self, canvas: &Canvas, room: f32) -> Vec<String> {
         let result = &self.result;
         let figures = [
@@ -268,7 +252,8 @@ impl Screen for Scoring {
         self.show_column(ui, left);
         let pressed = self.show_buttons(ui, left);
         if ui.key(Key::Escape) {
-            return Some(Request::Reset(self.list()));
+            let lab = self.attempt.level.experiment.then(|| Destination::Lab(Some(self.attempt.level.name.clone())));
+            return Some(Request::Reset(lab.unwrap_or(Destination::Levels(Purpose::Play))));
         }
         if ui.acts(Action::Restart) {
             return Some(self.again());
@@ -315,10 +300,10 @@ impl Screen for Scoring {
         })
     }
 
-    /// Medals come, paths grow, the view opens.
     fn motion(&self, _: &Input) -> Motion {
         let grows = self.paths.iter().any(|(_, track)| !track.is_whole());
-        if self.shown < OPENS.max(self.forces_stand()) || grows { Motion::Full } else { Motion::Still }
+        let forces_stand = self.moment.as_ref().map_or(0.0, ShipForces::whole);
+        if self.shown < OPENS.max(forces_stand) || grows { Motion::Full } else { Motion::Still }
     }
 
     fn noises(&self) -> Vec<Noise> {

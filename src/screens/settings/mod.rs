@@ -4,39 +4,31 @@
 pub mod page_data;
 
 use crate::draw::layout::{Area, DETAILS, MARGIN, ROW_BUTTON, TEXT, Vec2};
-use crate::draw::{Colour, Style};
 use crate::screens::screen::{Effect, Request, Screen};
 use crate::settings::{Action, FLYING, Item, Key, Keys, Settings};
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Colour, draw::Style, ui::Ui, ui::WidgetKind, view::theme, view::widgets, words::tr};
 
 /// A row of the values and one of the keys, with the gap below it.
 const VALUES: Vec2 = Vec2::new(560.0, 32.0);
 const KEYS: Vec2 = Vec2::new(560.0, 24.0);
-/// Between the two lists.
 const BETWEEN: f32 = 40.0;
 /// From the canvas' top to the first row.
 const TOP: f32 = 92.0;
-/// How wide a key is, at least.
 const KEY_WIDTH: f32 = 150.0;
 const PRESS: &str = "press a key";
 /// Shows the keys that do not fly, too.
 const ALL_KEYS: &str = "All keys";
-/// Keys a control.
 const SLOTS: usize = 2;
 
 /// The settings' screen. Each change holds at once and is kept at once.
 #[derive(Debug)]
 pub struct SettingsPanel {
     settings: Settings,
-    /// Whether the keys of all actions are shown.
     all: bool,
     /// The action and the place for which the next key is taken.
     taking: Option<(Action, usize)>,
     /// Shift, Ctrl or Alt, which is taken where no other key follows before it goes up.
     modifier: Option<Key>,
-    /// What is wrong with the file of settings, a line each.
     problems: Vec<String>,
 }
 
@@ -92,7 +84,6 @@ impl SettingsPanel {
         }
     }
 
-    /// What stands on a key's button.
     fn words(&self, action: Action, slot: usize) -> (String, Colour) {
         let keys = &self.settings.keys;
         match keys.of(action)[slot] {
@@ -161,7 +152,6 @@ impl SettingsPanel {
         }
     }
 
-    /// Each key that does two things, once.
     fn conflicts(&self) -> Vec<(Action, Key, Action)> {
         let keys = &self.settings.keys;
         let of = |action: Action| {

@@ -1,9 +1,7 @@
 //! In a browser, in the place of Quit: what the browser keeps for the page, as one file and back.
 
-use crate::draw::layout::{TEXT, Vec2};
-use crate::screens::screen::{Request, Screen};
-use crate::view::theme;
-use crate::{draw::Style, settings::Key, ui::Ui, web, words::tr};
+use crate::{draw::Style, draw::layout::TEXT, draw::layout::Vec2, settings::Key, ui::Ui, web, words::tr};
+use crate::{screens::screen::Request, screens::screen::Screen, view::theme};
 
 const LINES: [&str; 5] = [
     "The browser keeps your scores, flights, levels and settings for this page, on this computer alone.",
@@ -18,7 +16,6 @@ const DELETE: &str = "Delete all";
 #[derive(Debug, Default)]
 pub struct PageData {
     message: String,
-    /// Whether the next press deletes everything.
     warned: bool,
 }
 

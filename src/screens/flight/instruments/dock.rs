@@ -2,10 +2,8 @@
 
 use super::Tool;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
-use crate::view::hud::HudLayout;
-use crate::words::tr;
+use crate::{view::hud::HudLayout, words::tr};
 
-/// Between two buttons of the rail.
 const RAIL_GAP: f32 = 4.0;
 
 /// A button a tool, from the top, below the head-up display, in as many columns as the frame's height asks for.

@@ -1,7 +1,7 @@
 //! The table of momentum, energy and work: of the followed object, of the one compared with it and of both; else of all.
 
 use super::Stage;
-use crate::game::{Game, History, body_title};
+use crate::game::{Game, body_title};
 use crate::instruments::ledger::{Account, EnergyState, MOST_BODIES, WorkLedger, ground};
 use crate::number::{QuantityScale, scalar, seconds};
 use crate::physics::{BodyId, DVec2, ForceKind, Impulse};
@@ -66,7 +66,6 @@ pub struct Figures {
     table: Table,
 }
 
-/// A moment from which work and losses count.
 #[derive(Clone, Debug)]
 struct FiguresBase {
     tick: u64,
@@ -203,7 +202,8 @@ impl Figures {
             (true, _) => {
                 let works: Vec<Account> = groups.iter().map(|group| self.work(group)).collect();
                 numbers.extend(work_lines(&works));
-                tr!("Work from {time} s on", time = self.from(stage.history, game))
+                let tick = self.base.as_ref().map_or(stage.history.start().ticks(), |base| base.tick);
+                tr!("Work from {time} s on", time = seconds(tick, game.tick_rate()))
             }
             (false, true) => tr("Work: too many objects").to_owned(),
             (false, false) => tr("Work: reading …").to_owned(),
@@ -231,11 +231,6 @@ impl Figures {
             _ => tr("top left"),
         };
         tr!("zero at the level's {side}", side)
-    }
-
-    fn from(&self, history: &History, game: &Game) -> String {
-        let tick = self.base.as_ref().map_or(history.start().ticks(), |base| base.tick);
-        seconds(tick, game.tick_rate())
     }
 }
 

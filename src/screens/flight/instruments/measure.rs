@@ -2,13 +2,10 @@
 
 use super::dock::{self, dock};
 use super::figures::{Figures, Table, in_focus};
-use super::ruler::{Click, Ruler};
-use super::vectors::Scales;
-use super::{Stage, Tool};
+use super::{Stage, Tool, ruler::Click, ruler::Ruler, vectors::Scales};
 use crate::draw::layout::{Area, Frame, GRID, Vec2};
-use crate::ui::{Ui, input::Input};
-use crate::view::focus::Focus;
-use crate::{game::Game, instruments::track::Trail, physics::BodyId};
+use crate::{instruments::track::Trail, physics::BodyId};
+use crate::{ui::Ui, ui::input::Input, view::focus::Focus};
 
 /// Ticks of reading in a frame, at most.
 const AHEAD: u64 = 600;
@@ -81,7 +78,9 @@ impl Measures {
     pub fn read(&mut self, stage: &Stage) {
         self.focus = *stage.focus;
         if self.uses(Tool::Trails) {
-            self.trail.go(stage.history, stage.game.ticks(), AHEAD, &with_trails(&self.focus, stage.game));
+            let all = || (0..stage.game.world().bodies().len() as u32).map(BodyId).collect();
+            let bodies = self.focus.followed.map_or_else(all, |_| in_focus(&self.focus, stage.game));
+            self.trail.go(stage.history, stage.game.ticks(), AHEAD, &bodies);
         }
         if self.uses(Tool::Figures) {
             self.figures.update(stage);
@@ -108,7 +107,6 @@ impl Measures {
         }
     }
 
-    /// Inside the window however far the player drags it.
     fn where_dragged(&mut self, tool: Tool, docked: Area) -> Area {
         let most = (self.frame.size - docked.size).max(Vec2::ZERO);
         let min = (docked.min + self.dragged[tool as usize]).clamp(Vec2::ZERO, most);
@@ -178,13 +176,5 @@ impl Measures {
             }
         };
         inside + 2.0 * GRID
-    }
-}
-
-/// The bodies in focus, or all.
-fn with_trails(focus: &Focus, game: &Game) -> Vec<BodyId> {
-    match focus.followed {
-        Some(_) => in_focus(focus, game),
-        None => (0..game.world().bodies().len() as u32).map(BodyId).collect(),
     }
 }

@@ -1,18 +1,13 @@
 //! The readings in the level: trails, arrows, the ruler.
 
-use super::figures::in_focus;
-use super::measure::Measures;
 use super::ruler::{End, RulerReading, points};
-use super::vectors::Vector;
-use super::{Tool, dock};
+use super::{Tool, dock, figures::in_focus, measure::Measures, vectors::Vector};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::game::{Game, SHIP};
-use crate::instruments::track::{DOTS_A_SECOND, LASTS};
 use crate::number::{QuantityScale, fixed, scalar};
 use crate::physics::{BodyId, DVec2, ForceKind};
 use crate::view::{camera::Viewport, facts::round_up, game_view::drawn_centre, hud::HudLayout, theme};
-use crate::words::tr;
+use crate::{game::Game, game::SHIP, instruments::track::DOTS_A_SECOND, instruments::track::LASTS, words::tr};
 
 const DOT: f32 = 3.0;
 const WHOLE: f32 = 5.0;

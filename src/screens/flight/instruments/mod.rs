@@ -1,5 +1,4 @@
-//! The measuring instruments beside the flight: a rail of buttons, which I opens, and a panel each. They take the clicks and keys
-//! that are their own; the flight has the rest.
+//! The measuring instruments beside the flight: a rail of buttons, which I opens, and a panel each. The flight has what they leave of the input.
 
 mod dock;
 mod figures;
@@ -11,13 +10,9 @@ mod ruler;
 pub mod vary;
 mod vectors;
 
-use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Frame, Vec2};
-use crate::game::{Game, History};
-use crate::settings::Action;
-use crate::ui::{Ui, input::Input};
-use crate::view::{focus::Focus, theme};
 use crate::words::tr;
+use crate::{draw::Style, game::Game, game::History, settings::Action, ui::Ui, ui::input::Input, view::focus::Focus, view::theme};
 pub use measure::Measures;
 pub use plot::{Plot, PlotPlaces};
 use vary::Vary;
@@ -34,9 +29,7 @@ pub enum Tool {
     Vectors,
     Ruler,
     Figures,
-    /// Curves of two objects.
     Plot,
-    /// "What if".
     Vary,
 }
 
@@ -67,11 +60,9 @@ pub struct Stage<'a> {
     /// The whole flight, which may go beyond that moment.
     pub history: &'a History,
     pub focus: &'a Focus,
-    /// The level, where it can be varied.
     pub varied: Option<vary::Varied<'a>>,
     /// Whether the world can go to another moment: in a pause or in a replay.
     pub seekable: bool,
-    /// Whether the level is seen, and no picture in its place.
     pub seen: bool,
     /// The height above the flight's foot that its signs need, canvas units.
     pub sign: f32,

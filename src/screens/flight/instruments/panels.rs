@@ -1,15 +1,12 @@
 //! The panels at the left: the scales of the arrows, the table. What the instruments draw in the level.
 
 use super::figures::{FigureBar, FigureLine, Subject, in_focus};
-use super::measure::{Measures, TABLE_WORDS};
 use super::measured::{colour, label, pair};
-use super::vectors::Vector;
-use super::{Instruments, Tool, dock};
+use super::{Instruments, Tool, dock, measure::Measures, measure::TABLE_WORDS, vectors::Vector};
 use crate::draw::layout::{Area, DETAILS, GRID, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::game::{Game, SHIP};
-use crate::instruments::ledger::{centre_of_mass, velocity_of_centre};
 use crate::view::{camera::Viewport, theme, widgets};
+use crate::{game::Game, game::SHIP, instruments::ledger::centre_of_mass, instruments::ledger::velocity_of_centre};
 use crate::{number::scalar, ui::Ui, words::tr};
 
 impl Measures {
@@ -76,8 +73,7 @@ impl Measures {
     }
 }
 
-/// A line a kind of energy or part of the momentum from `first` on, a bar in each column, all of a unit to one scale, where momentum has its zero in
-/// the middle; `column` says where a column begins and how wide it is.
+/// Lines from `first` on, a bar in each column, all of a unit to one scale, with momentum's zero in the middle; `column`: its begin and width.
 fn draw_bars(canvas: &Canvas, bars: &[FigureBar], (first, line): (Vec2, f32), column: &dyn Fn(usize) -> (f32, f32)) {
     for (row, bar) in bars.iter().enumerate() {
         let all = || bars.iter().filter(|other| other.unit == bar.unit).flat_map(|bar| &bar.values).copied();

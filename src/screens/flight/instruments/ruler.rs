@@ -1,6 +1,5 @@
-//! A ruler laid by mouse, from point to point; each end can be moved later. It lies in the level and stays when the camera moves. An
-//! end on a body is bound to it and goes with it: it lies in the middle of the body's lower edge, from which heights and depths count. Between
-//! two bodies the ruler goes from centre to centre.
+//! A ruler laid in the level by mouse, from point to point; each end can be moved later. An end on a body goes with it: in the middle of its
+//! lower edge, from which heights and depths count. Between two bodies the ruler goes from centre to centre.
 
 use super::super::Input;
 use crate::draw::layout::Vec2;

@@ -1,5 +1,4 @@
-//! The scale of the arrows of velocity and acceleration. It is a round number that fits: it changes at once where an arrow would be
-//! too long, and after a while where all are too short to be seen, so that a passage through zero does not change it.
+//! The round scale of the arrows changes at once where one is too long; where all are too short, after a while: a passage through zero is none.
 
 use crate::physics::{BodyId, DVec2, World};
 use crate::view::facts::round_up;

@@ -3,8 +3,7 @@
 
 use super::{Plot, READINGS};
 use crate::instruments::quantity::{Quantity, Unit, VectorPart};
-use crate::physics::{BodyId, ForceKind};
-use crate::{game::History, instruments::track::BodyTrack};
+use crate::{game::History, instruments::track::BodyTrack, physics::BodyId, physics::ForceKind};
 
 /// A family's name and its quantities.
 pub type ChoiceRow = (&'static str, Vec<Quantity>);

@@ -1,15 +1,11 @@
 //! The plot: buttons and readings on the left, the lanes with their curves on the right, a line of words at the foot.
 
-use super::hand::{READINGS, SAMPLE};
-use super::{Plot, PlotPlaces};
+use super::{Plot, PlotPlaces, hand::READINGS, hand::SAMPLE};
 use crate::draw::chart::{CurveLook, Linear, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, GRID, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Quads, Style};
-use crate::instruments::chart::{Chart, ChartLane};
-use crate::instruments::{chart, curve::Curve, fit::Fit, quantity::Quantity, track::BodyTrack};
-use crate::number::scalar;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::instruments::{chart, chart::Chart, chart::ChartLane, curve::Curve, fit::Fit, quantity::Quantity, track::BodyTrack};
+use crate::{number::scalar, view::theme, view::widgets, words::tr};
 use std::ops::Range;
 
 /// The least distance of labels, in heights of the text: to the right and upwards.
@@ -25,7 +21,6 @@ const SHADE: f32 = 0.22;
 const HINT: &str =
     "While the world is frozen (B) a click leads to that moment. Shift and drag: an area. Wheel: zoom. N: the followed object.";
 
-/// From numbers to a lane.
 #[derive(Clone, Copy)]
 struct Scale {
     area: Area,
@@ -77,7 +72,7 @@ impl Plot {
         canvas.line(panel.min, Vec2::new(panel.max().x, panel.min.y), 2.0, theme::panel_edge());
         self.draw_lines(places, canvas);
         self.draw_lanes(places, chart, canvas);
-        let fit = self.fit_words();
+        let fit = self.fit().zip(self.lines.get(self.selected)).map(|(fit, line)| fit.words(line.up, self.across));
         let (words, colour) = match (&self.message, &fit) {
             (Some((words, true)), _) => (words.as_str(), theme::bad()),
             (Some((words, false)), _) => (words.as_str(), theme::good()),
@@ -174,7 +169,6 @@ impl Plot {
         }
     }
 
-    /// In the lane's corner and above its curves.
     fn draw_name(&self, lane: &ChartLane, area: Area, text: f32, canvas: &Canvas) {
         let (name, style) = (lane.name(|number| self.lines[number].up.symbol()), Style::new(DETAILS, theme::text()).middle());
         let size = Vec2::new(canvas.width(&name, style) + GRID, 1.4 * text);
@@ -210,7 +204,6 @@ impl Plot {
         }
     }
 
-    /// As far as it is inside its lane.
     fn draw_fit(&self, scale: &Scale, canvas: &Canvas) {
         let line = scale.within(self.fit().into_iter().flat_map(Fit::drawn).collect());
         let inside = |at: &Vec2| (scale.area.min.y..=scale.area.max().y).contains(&at.y);

@@ -3,8 +3,7 @@
 
 use super::{Plot, SHORTEST};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2, text_room};
-use crate::instruments::{chart::Chart, quantity::Quantity};
-use crate::{settings::Key, ui::input::Input};
+use crate::{instruments::chart::Chart, instruments::quantity::Quantity, settings::Key, ui::input::Input};
 
 /// The part of the stretch of time that a notch of the wheel leaves.
 const NOTCH: f64 = 0.8;
@@ -13,7 +12,6 @@ const NOTCH: f64 = 0.8;
 pub(super) enum Hand {
     #[default]
     Empty,
-    /// The moment on the screen.
     Cursor,
     /// One end of a stretch; the other is at that tick.
     End(u64),
@@ -164,8 +162,7 @@ impl PlotPlaces {
         row(Area { min: min + beside, size: Vec2::new(size.x - beside.x, self.head.size.y) }, self.text, words)
     }
 
-    /// A list above the panel's foot, in columns of rows: its panel, and its cells by row and column; the first column has `wide`
-    /// characters, the others as few as a symbol has.
+    /// A list above the panel's foot: its panel, and its cells by block, row and column, the first of which has `wide` characters.
     pub fn picker(&self, blocks: &[usize], wide: usize, columns: usize) -> (Area, Vec<Vec<Vec<Area>>>) {
         const SYMBOL: usize = 9;
         let pitch = Vec2::new(text_room(&"m".repeat(SYMBOL), self.text).x, self.head.size.y);
@@ -184,7 +181,6 @@ impl PlotPlaces {
     }
 }
 
-/// Each as wide as its words.
 fn row(room: Area, text: f32, words: &[String]) -> Vec<Area> {
     let mut x = room.min.x;
     let mut button = |words: &String| {

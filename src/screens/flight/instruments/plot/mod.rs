@@ -8,12 +8,10 @@ mod panel;
 
 use super::Stage;
 use crate::draw::layout::{Area, Frame, Vec2};
-use crate::game::{History, body_title};
 use crate::instruments::chart::{Chart, ChartMember, TimeWindow};
-use crate::instruments::quantity::{Quantity, VectorPart};
 use crate::instruments::{curve::Curve, fit::FitLaw, track::BodyTrack};
-use crate::physics::{BodyId, DVec2};
-use crate::ui::{Ui, input::Input};
+use crate::{game::History, game::body_title, instruments::quantity::Quantity, instruments::quantity::VectorPart};
+use crate::{physics::BodyId, physics::DVec2, ui::Ui, ui::input::Input};
 use crate::{screens::flight::pilot::Ahead, session::library::NewFile, words::tr};
 use choices::PlotObject;
 pub use hand::PlotPlaces;
@@ -62,7 +60,6 @@ pub struct Plot {
     tick_rate: f64,
     /// `None`: the whole flight.
     window: Option<TimeWindow>,
-    /// The ticks between which the area is.
     span: Option<(u64, u64)>,
     selected: usize,
     /// The law that goes through the selected curve, and its figures for the present stretch.
@@ -77,7 +74,6 @@ pub struct Plot {
     pub seek: Option<u64>,
     now: u64,
     ahead: Ahead,
-    /// In the last pass.
     places: Option<PlotPlaces>,
 }
 
@@ -259,7 +255,6 @@ impl Plot {
         if from.is_finite() { (from, to.max(from + AT_LEAST)) } else { (0.0, AT_LEAST) }
     }
 
-    /// The run before included.
     fn chart(&self) -> Chart {
         let window = self.window();
         let mut members: Vec<ChartMember> = self.shown().map(|(i, line, track)| (i, &line.now, track.places(window))).collect();

@@ -1,15 +1,11 @@
 //! The buttons of the panel: their effects, their places, and the lists to choose from. A law through the selected curve, and the curves as files.
 
 use super::choices::{self, PlotObject, choices};
-use super::hand::{MOST_LINES, PlotPlaces};
-use super::{Plot, PlotLine, along};
+use super::{Plot, PlotLine, along, hand::MOST_LINES, hand::PlotPlaces};
 use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::instruments::chart::{self, Exported};
-use crate::instruments::fit::{Fit, FitLaw};
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{lanes, theme};
-use crate::words::tr;
 use crate::{draw::Style, files::INPUTS, game::Game, instruments::quantity::Quantity, physics::BodyId, session::library::NewFile};
+use crate::{instruments::fit::Fit, instruments::fit::FitLaw, ui::Ui, ui::WidgetKind, view::lanes, view::theme, words::tr};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Action {
@@ -18,22 +14,18 @@ pub(super) enum Action {
     Across,
     /// Keep an object, or follow again.
     Keep(usize),
-    /// Another law through the selected curve.
     Law,
     Export(Format),
     Whole,
     Larger,
-    /// The other object for a curve.
     Whose(usize),
     What(usize),
     Remove(usize),
-    /// Shows this curve's area.
     Select(usize),
     Choose(Quantity),
 }
 
 impl Action {
-    /// The words of its tooltip, where its button does not say enough.
     fn tip(self) -> Option<&'static str> {
         match self {
             Self::Keep(_) => Some("Plots this object, whichever is followed; once more: the followed one"),
@@ -152,7 +144,6 @@ impl Plot {
                 let object = &mut self.objects[whose];
                 object.kept = if object.kept.is_some() { None } else { object.track().map(|track| track.body) };
             }
-            // From none through every law to none.
             Action::Law => {
                 let next = self.law.map_or(0, |law| law as usize + 1);
                 (self.law, self.message) = (FitLaw::ALL.get(next).copied(), None);
@@ -191,12 +182,6 @@ impl Plot {
     /// The fit through the selected curve, if one is asked for and there is one.
     pub fn fit(&self) -> Option<&Fit> {
         self.fitted.as_ref()?.fit.as_ref()
-    }
-
-    /// The formula of the fit with its figures and its residual.
-    pub(super) fn fit_words(&self) -> Option<String> {
-        let (fit, line) = (self.fit()?, self.lines.get(self.selected)?);
-        Some(fit.words(line.up, self.across))
     }
 
     pub(super) fn make_file(&mut self, format: Format, game: &Game) {

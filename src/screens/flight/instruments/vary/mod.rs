@@ -1,20 +1,16 @@
-//! "What if": a panel with a slider and a number for each quantity that can vary, of the followed object and of the level. The
-//! flight's screen fulfils its wishes.
+//! "What if": a slider and a number for each quantity of the followed object and the level that can vary. The flight fulfils its wishes.
 
 mod places;
 
 use super::Stage;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, Vec2};
-use crate::instruments::vary::{SliderTrack, Variation};
-use crate::level::{Level, Parameter};
 use crate::ui::{EntryEvent, EntryField, SliderMove, SliderShown, Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::{decimals, tr};
 use crate::{draw::Style, game::body_title, number::scalar, physics::BodyId};
+use crate::{instruments::vary::SliderTrack, instruments::vary::Variation, level::Level, level::Parameter};
+use crate::{view::theme, view::widgets, words::decimals, words::tr};
 use places::{DragHold, Layout};
 
 const NAME: &str = "Name of the level";
-/// From the edge of a button or field to its words.
 const INSIDE: f32 = 0.75 * GRID;
 
 #[derive(Clone, Copy, Debug)]
@@ -28,10 +24,8 @@ pub struct Varied<'a> {
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum VaryFrom {
-    /// The flight starts again.
     #[default]
     Start,
-    /// The flight goes on from its moment.
     Now,
 }
 
@@ -74,7 +68,6 @@ pub struct Vary {
     /// The last changed number: further changes go on with it.
     last: Option<Parameter>,
     entry: EntryField,
-    /// The last message, and whether it is bad.
     message: Option<(String, bool)>,
     progress: Option<f64>,
     is_varied: bool,
@@ -312,7 +305,6 @@ fn button(ui: &mut Ui<'_>, label: &str, area: Area, (open, chosen): (bool, bool)
     touch.pressed
 }
 
-/// As one types it.
 fn typed(parameter: Parameter, value: f64) -> String {
     parameter.choice(value).map_or_else(|| decimals(&value.to_string()).into_owned(), |choice| tr(choice).to_owned())
 }

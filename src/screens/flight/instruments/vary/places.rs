@@ -2,35 +2,27 @@
 //! can vary, which the pointer leads elsewhere in the level itself.
 
 use super::{Varied, Vary, VaryFrom};
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, Vec2};
-use crate::level::{Level, Parameter};
 use crate::physics::{Aabb, BodyId, DVec2};
-use crate::ui::input::Input;
-use crate::view::{camera::Viewport, theme};
+use crate::{draw::Canvas, level::Level, level::Parameter, ui::input::Input, view::camera::Viewport, view::theme};
 
 /// Widths in heights of the text: of a line's name, slider, number and reset.
 const COLUMNS: [f32; 4] = [7.2, 6.0, 7.2, 6.6];
-/// Between two columns, and inside the panel's edge.
 const GAP: f32 = GRID;
 const INSIDE: f32 = 1.5 * GRID;
 /// Besides the lines: a heading, two rows of buttons, a message.
 const ROWS: f32 = 4.0;
 /// The room of a line above its text where the canvas is high enough.
 const LEADING: f32 = 8.0;
-/// Above and below a button.
 const APART: f32 = 2.0;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Layout {
     pub panel: Area,
-    /// From the start, from now, reset all, save.
     pub buttons: [Area; 4],
-    /// For the name field and for messages.
     pub field: Area,
     top: f32,
     line: f32,
-    /// Begin and end of each column.
     columns: [(f32, f32); 4],
 }
 
@@ -92,7 +84,6 @@ impl Layout {
     }
 }
 
-/// Apart from its neighbours above and below.
 fn inner(cell: Area) -> Area {
     Area::new(cell.min.x, cell.min.y + APART, cell.size.x, cell.size.y - 2.0 * APART)
 }
