@@ -60,7 +60,6 @@ impl Canvas {
         }
     }
 
-    /// Draws another canvas of that size above it.
     pub fn add_all(&mut self, other: &Self) {
         self.shapes.get_mut().extend(other.shapes().iter().cloned());
     }
@@ -120,8 +119,7 @@ impl Canvas {
             Align::Centre => at.x - self.width(text, style) / 2.0,
             Align::Right => at.x - self.width(text, style),
         };
-        let height = self.glyph_height(style.size) * self.frame.pixel;
-        Vec2::new(left, at.y + height * if style.middle { HALF_CAPITAL } else { ASCENT })
+        Vec2::new(left, at.y + self.glyph_height(style.size) * self.frame.pixel * if style.middle { HALF_CAPITAL } else { ASCENT })
     }
 
     /// In whole physical pixels, a whole number of logical ones.
@@ -134,7 +132,6 @@ impl Canvas {
         self.frame.text_height(size) * LINE
     }
 
-    /// The corners in order, either way round.
     pub fn convex(&self, corners: &[Vec2], colour: Colour) {
         if corners.len() >= 3 {
             self.add(Shape::Fill { outline: Contour::Convex(corners.to_vec()), colour });

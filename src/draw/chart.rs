@@ -1,8 +1,4 @@
-//! What every chart has: axes, looks of curves, and a sheet of lanes as values, for paper and screen alike.
-//!
-//! Axes: from which number to which, where a value lies, and which numbers are named; linear, and logarithmic in whole decades.
-//!
-//! Curves differ by colour, dash and marker, on paper and on the screen; and how they are drawn.
+//! What every chart has, for paper and screen alike: axes, linear and in whole decades, looks of curves, and a sheet of lanes as values.
 
 use super::layout::{Area, Vec2};
 use super::{Canvas, Colour};
@@ -112,8 +108,7 @@ pub fn round_numbers(from: f64, to: f64, about: usize) -> Vec<f64> {
     let power = libm::exp10(rough.log10().floor());
     let apart = [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power).into_iter().find(|apart| *apart >= rough * 0.999).unwrap_or(rough);
     let first = (from / apart - 1e-9).ceil() as i64;
-    let last = (to / apart + 1e-9).floor() as i64;
-    (first..=last).map(|i| i as f64 * apart).collect()
+    (first..=(to / apart + 1e-9).floor() as i64).map(|i| i as f64 * apart).collect()
 }
 
 /// Smaller errors are drawn on the lower edge: they are rounding of numbers about 1.
@@ -153,7 +148,6 @@ impl Decades {
     }
 }
 
-/// Whose curve it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CurveOrigin {
     Lab,
@@ -166,8 +160,7 @@ pub enum CurveOrigin {
 pub const TEXT: u32 = 0xE6EBF2;
 /// The shipped engine: the game's accent.
 pub const SHIPPED: u32 = 0xFF9F1C;
-/// After M. Okabe, K. Ito, "Color Universal Design", 2008, lightened for a dark ground; neighbours stay apart in all common kinds of
-/// colour vision, on a light ground, too.
+/// After M. Okabe, K. Ito, "Color Universal Design", 2008, lightened for a dark ground; neighbours stay apart in all common kinds of colour vision.
 const COLOURS: [u32; 8] = [0x56B4E9, 0x8870E8, 0xF0E442, 0xD55E00, 0x1FB88F, 0xCC79A7, 0xB8E8B8, 0xA3A847];
 /// Pixels drawn and left out.
 pub const DASHES: [Option<(u32, u32)>; 4] = [None, Some((8, 4)), Some((3, 3)), Some((14, 5))];
@@ -276,8 +269,7 @@ pub fn dashed(canvas: &Canvas, line: &[Vec2], (on, off): (u32, u32), width: f32,
 
 pub fn marker(canvas: &Canvas, at: Vec2, shape: Marker, colour: Colour) {
     for piece in shape.pieces() {
-        let corners: Vec<Vec2> = piece.into_iter().map(|corner| at + Vec2::from(corner)).collect();
-        canvas.convex(&corners, colour);
+        canvas.convex(&piece.into_iter().map(|corner| at + Vec2::from(corner)).collect::<Vec<_>>(), colour);
     }
 }
 

@@ -224,8 +224,7 @@ impl Frame {
     /// Wide buttons from `top` down, in the middle of the canvas.
     pub fn column(&self, count: usize, top: f32) -> Vec<Area> {
         let left = (self.size.x - WIDE_BUTTON.x) / 2.0;
-        let pitch = WIDE_BUTTON.y + GAP;
-        (0..count).map(|i| Area::new(left, top + i as f32 * pitch, WIDE_BUTTON.x, WIDE_BUTTON.y)).collect()
+        (0..count).map(|i| Area::new(left, top + i as f32 * (WIDE_BUTTON.y + GAP), WIDE_BUTTON.x, WIDE_BUTTON.y)).collect()
     }
 
     /// Buttons beside each other at `top`, in the middle of the canvas; narrower where there are many.

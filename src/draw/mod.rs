@@ -1,6 +1,5 @@
-//! A frame as a list of [`Shape`]s: a [`Canvas`] records it without a window, and a pen plays it. The pen
-//! `pen` draws on the screen, [`svg`] writes a file.
-//! Sizes and places are in [`layout`]; the widths of words, from the typefaces themselves, in [`text`].
+//! A frame as a list of [`Shape`]s: a [`Canvas`] records it without a window; `pen` draws it on the screen, [`svg`] writes a file. Sizes and places
+//! are in [`layout`]; the widths of words, from the typefaces themselves, in [`text`].
 
 pub mod canvas;
 pub mod chart;

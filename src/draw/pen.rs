@@ -1,12 +1,9 @@
 //! The pen of the window: plays what a canvas has recorded with macroquad. Text is kept until the shapes of its layer are drawn, because
 //! each change between shapes and text costs a draw call.
 
-use super::canvas::Canvas;
-use super::glyphs::Glyphs;
 use super::layout::{Frame, Vec2};
-use super::raster::Soft;
 use super::shape::{Colour, Image, MOST_QUADS, Quad, Shape};
-use super::text;
+use super::{canvas::Canvas, glyphs::Glyphs, raster::Soft, text};
 use macroquad::camera::{Camera2D, set_camera};
 use macroquad::color::{Color, WHITE};
 use macroquad::material::{Material, MaterialParams, gl_use_default_material, gl_use_material, load_material};

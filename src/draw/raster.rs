@@ -116,8 +116,7 @@ impl Raster {
                     mix(&|corner| corner.2.a, weights),
                 ];
                 if let Some(texture) = texture {
-                    let place = Vec2::new(mix(&|corner| corner.1.x, weights), mix(&|corner| corner.1.y, weights));
-                    let texel = texel(texture, place);
+                    let texel = texel(texture, Vec2::new(mix(&|corner| corner.1.x, weights), mix(&|corner| corner.1.y, weights)));
                     (0..4).for_each(|i| colour[i] *= texel[i]);
                 }
                 let first = (y * self.width + x) * 3;
@@ -190,8 +189,7 @@ impl Soft {
             Contour::Rounded(area, radius) => self.rounded(area, radius),
             Contour::Circle(centre, radius) => {
                 let steps = steps(radius / self.pixel, TAU).max(8);
-                let point = |i| centre + Vec2::from_angle(TAU * i as f32 / steps as f32) * radius;
-                self.corners.extend((0..steps).map(point));
+                self.corners.extend((0..steps).map(|i| centre + Vec2::from_angle(TAU * i as f32 / steps as f32) * radius));
             }
             Contour::Line(from, to, width) => {
                 let across = (to - from).perp().normalize_or_zero() * (width.max(self.pixel) / 2.0);
@@ -229,23 +227,20 @@ impl Soft {
     /// Adds the outline offset outwards by `by`; returns the index of its first corner.
     fn ring(&mut self, by: f32, colour: Colour) -> u16 {
         let first = self.vertices.len() as u16;
-        let moved = self.corners.iter().zip(&self.normals).map(|(corner, normal)| (*corner + *normal * by, colour));
-        self.vertices.extend(moved);
+        self.vertices.extend(self.corners.iter().zip(&self.normals).map(|(corner, normal)| (*corner + *normal * by, colour)));
         first
     }
 }
 
 /// Straight pieces for an arc of that radius, physical pixels: the sagitta of each, r(1 − cos(θ/2)), stays within the flatness.
 fn steps(radius: f32, angle: f32) -> usize {
-    let piece = 2.0 * (1.0 - FLATNESS / radius.max(1.0)).clamp(-1.0, 1.0).acos();
-    (angle / piece).ceil() as usize
+    (angle / (2.0 * (1.0 - FLATNESS / radius.max(1.0)).clamp(-1.0, 1.0).acos())).ceil() as usize
 }
 
 /// Outward unit normals at the corners, longer where the outline turns more, so that an offset keeps its edges parallel.
 fn normals(corners: &[Vec2], normals: &mut Vec<Vec2>) {
     let n = corners.len();
-    let turn: f32 = (0..n).map(|i| corners[i].perp_dot(corners[(i + 1) % n])).sum();
-    let out = if turn >= 0.0 { -1.0 } else { 1.0 };
+    let out = if (0..n).map(|i| corners[i].perp_dot(corners[(i + 1) % n])).sum::<f32>() >= 0.0 { -1.0 } else { 1.0 };
     let edge = |i: usize| (corners[(i + 1) % n] - corners[i % n]).perp().normalize_or_zero() * out;
     normals.clear();
     normals.extend((0..n).map(|i| {

@@ -29,7 +29,6 @@ pub enum Shape {
     Layer,
 }
 
-/// The outline of a soft shape.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Contour {
     /// Convex corners in order, either way round.
@@ -42,7 +41,6 @@ pub enum Contour {
     Line(Vec2, Vec2, f32),
 }
 
-/// The source of a picture's pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Image {
     /// The sheet with the game's own pictures.

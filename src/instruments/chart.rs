@@ -1,14 +1,11 @@
-//! Several curves in one picture: one axis to the right, and a lane upwards for each unit, so that metres and metres a second never share an axis.
-//! The screen and the exported picture draw the same. Up to four curves of a flight differ by colour, dash and marker. A force has the colour that it
-//! has everywhere. Curves for a file: a table with every tick and every digit, and the sheet of a picture. Neither knows a disk.
+//! Several curves in one picture: one axis to the right, and a lane upwards for each unit, so that metres and metres a second never share an axis;
+//! the screen and the exported picture draw the same. Curves for a file: a table with every tick and every digit, and the sheet of a picture.
 
 use super::curve::{Curve, Extremes, around};
 use super::quantity::{Quantity, Unit};
 use super::{fit::Fit, track::BodyTrack};
 use crate::draw::chart::{CurveLook, CurveOrigin, Linear, Marker, Piece, Sheet, Strip};
-use crate::files::csv_line;
-use crate::number::Shortest;
-use crate::physics::ForceKind;
+use crate::{files::csv_line, number::Shortest, physics::ForceKind};
 use std::ops::Range;
 
 /// s.
@@ -149,8 +146,7 @@ pub fn csv(curves: &[Exported]) -> String {
     }
     let track = curves.iter().map(|curve| curve.track).max_by_key(|track| track.len());
     let cell = |value: &f64| Shortest(*value).to_string();
-    let headings = columns.iter().map(|(heading, _)| heading.clone());
-    let head = ["tick".to_owned(), Quantity::Time.heading()].into_iter().chain(headings);
+    let head = ["tick".to_owned(), Quantity::Time.heading()].into_iter().chain(columns.iter().map(|(heading, _)| heading.clone()));
     let row = |(track, place): (&BodyTrack, usize)| {
         let cells = columns.iter().map(|(_, values)| values.get(place).map_or_else(String::new, cell));
         csv_line([track.tick_of(place).to_string(), cell(&track.time(place))].into_iter().chain(cells))
@@ -162,13 +158,11 @@ pub fn csv(curves: &[Exported]) -> String {
 pub fn sheet(window: TimeWindow, curves: &[Exported]) -> Sheet {
     let across = curves.first().map_or(Quantity::Time, |exported| exported.curve.across);
     let places = |track: &BodyTrack| track.places(window);
-    let members: Vec<ChartMember> = curves.iter().map(|it| (it.number, it.curve, places(it.track))).collect();
-    let chart = Chart::of(across, window, &members);
+    let chart = Chart::of(across, window, &curves.iter().map(|it| (it.number, it.curve, places(it.track))).collect::<Vec<_>>());
     let of_number = |number: usize| curves.iter().find(|exported| exported.number == number);
     let lane = |lane: &ChartLane| {
         let shown: Vec<&Exported> = lane.curves.iter().filter_map(|number| of_number(*number)).collect();
-        let width = (chart.axis.to - chart.axis.from) / COLUMNS;
-        let grain = (width, (lane.axis.to - lane.axis.from) / COLUMNS);
+        let grain = ((chart.axis.to - chart.axis.from) / COLUMNS, (lane.axis.to - lane.axis.from) / COLUMNS);
         let ways = shown.iter().flat_map(|exported| {
             let mut ways = exported.curve.drawn(places(exported.track), grain);
             ways.iter_mut().flatten().for_each(|(_, up)| *up = lane.axis.part(*up));

@@ -28,8 +28,7 @@ impl Curve {
             self.ys.push(self.up.of(&moment));
         }
         if self.up.jumps() || self.across.jumps() {
-            let new = track.impacts.iter().copied().filter(|place| *place >= known.max(1));
-            self.breaks.extend(new);
+            self.breaks.extend(track.impacts.iter().copied().filter(|place| *place >= known.max(1)));
         }
     }
 
@@ -90,8 +89,7 @@ impl Curve {
             return area;
         }
         let (xs, ys) = (self.xs.values(), self.ys.values());
-        let last = to.min(self.len().saturating_sub(1));
-        (from..last).map(|i| 0.5 * (ys[i] + ys[i + 1]) * (xs[i + 1] - xs[i])).sum()
+        (from..to.min(self.len().saturating_sub(1))).map(|i| 0.5 * (ys[i] + ys[i + 1]) * (xs[i + 1] - xs[i])).sum()
     }
 
     /// The drawn part of some places: unbroken lines through points. Over time, points that share a column of width `grain.0` are drawn by
@@ -187,7 +185,6 @@ impl NumberSeries {
         &self.values
     }
 
-    /// The extremes of a stretch; `None` where it is empty.
     pub fn extremes(&self, stretch: Range<usize>) -> Option<Extremes> {
         let stretch = stretch.start..stretch.end.min(self.values.len());
         if stretch.is_empty() {
@@ -199,8 +196,7 @@ impl NumberSeries {
         }
         let before = extremes(&self.values[stretch.start..blocks.start * BLOCK]);
         let after = extremes(&self.values[blocks.end * BLOCK..stretch.end]);
-        let between = self.blocks[blocks].iter().copied();
-        before.into_iter().chain(between).chain(after).reduce(around)
+        before.into_iter().chain(self.blocks[blocks].iter().copied()).chain(after).reduce(around)
     }
 }
 

@@ -24,7 +24,7 @@ pub enum FitLaw {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
     pub law: FitLaw,
-    c: [f64; 3],
+    pub c: [f64; 3],
     /// rad a unit across; 0 but for a sine.
     pub rate: f64,
     /// The square root of the mean of the squares of what is left over, in the unit of y.
@@ -77,8 +77,7 @@ impl Fit {
             FitLaw::Parabola => (least_squares(&near, |u| [1.0, u, u * u])?, 0.0),
             FitLaw::Sine => sine(&near)?,
         };
-        let left_over = near.iter().map(|(u, y)| (y - law.at(c, rate, *u)).powi(2)).sum::<f64>();
-        let residual = (left_over / near.len() as f64).sqrt();
+        let residual = (near.iter().map(|(u, y)| (y - law.at(c, rate, *u)).powi(2)).sum::<f64>() / near.len() as f64).sqrt();
         let (c, rate) = match law {
             FitLaw::Sine => {
                 let (rate, turn) = (rate / half, rate * middle / half);
@@ -96,17 +95,11 @@ impl Fit {
         self.law.at(self.c, self.rate, x)
     }
 
-    /// The factors of 1, x and x²; of a sine the middle, and those of sin ω·x and cos ω·x.
-    pub const fn factors(&self) -> [f64; 3] {
-        self.c
-    }
-
     /// Of a sine.
     pub fn amplitude(&self) -> f64 {
         self.c[1].hypot(self.c[2])
     }
 
-    /// Points to draw it by, through its stretch.
     pub fn drawn(&self) -> impl Iterator<Item = (f64, f64)> + use<'_> {
         let at = |i: usize| self.from + (self.to - self.from) * i as f64 / DRAWN as f64;
         (0..=DRAWN).map(move |i| (at(i), self.at(at(i))))
@@ -177,8 +170,7 @@ fn least_squares<const N: usize>(points: &[(f64, f64)], functions: impl Fn(f64) 
 fn solved<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
     for i in 0..N {
         let pivot = matrix[i][i];
-        let largest = (0..N).map(|i| matrix[i][i].abs()).fold(0.0, f64::max);
-        if !(pivot.is_finite() && pivot > 1e-13 * largest) {
+        if !(pivot.is_finite() && pivot > 1e-13 * (0..N).map(|i| matrix[i][i].abs()).fold(0.0, f64::max)) {
             return None;
         }
         for j in i + 1..N {
@@ -189,8 +181,7 @@ fn solved<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Opt
         }
     }
     for i in (0..N).rev() {
-        let known: f64 = (i + 1..N).map(|j| matrix[i][j] * right[j]).sum();
-        right[i] = (right[i] - known) / matrix[i][i];
+        right[i] = (right[i] - (i + 1..N).map(|j| matrix[i][j] * right[j]).sum::<f64>()) / matrix[i][i];
     }
     Some(right)
 }
@@ -211,8 +202,7 @@ fn sine(points: &[(f64, f64)]) -> Option<([f64; 3], f64)> {
     for _ in 0..CORRECTIONS {
         let left: Vec<(f64, f64)> = points.iter().map(|(u, y)| (*u, y - wave(c, rate, *u))).collect();
         let slope = |u: f64| u * (c[1] * (rate * u).cos() - c[2] * (rate * u).sin());
-        let step = least_squares(&left, |u| [1.0, (rate * u).sin(), (rate * u).cos(), slope(u)])?[3];
-        rate += step;
+        rate += least_squares(&left, |u| [1.0, (rate * u).sin(), (rate * u).cos(), slope(u)])?[3];
         let Some(next) = of(rate, points) else { break };
         (c, best) = (next.1, if next.0 < best.0 { next } else { best });
     }
@@ -234,13 +224,13 @@ mod tests {
     #[test]
     fn a_throw_is_a_parabola_with_half_of_g_and_a_fall_of_speed_a_line_with_g() {
         let throw = Fit::of(FitLaw::Parabola, &sampled(7.0, 200, |t| 3.0 + 12.0 * t - 0.5 * 9.81 * t * t)).unwrap();
-        for (found, exact) in throw.factors().into_iter().zip([3.0, 12.0, -4.905]) {
+        for (found, exact) in throw.c.into_iter().zip([3.0, 12.0, -4.905]) {
             assert!((found - exact).abs() < 1e-9, "{found} for {exact}");
         }
         let words = throw.words(Quantity::Y, Quantity::Time);
         assert!(words.starts_with("y = −4.9050 m/s²·t² + 12.000 m/s·t + 3.0000 m; residual "), "{words}");
         let speed = Fit::of(FitLaw::Line, &sampled(0.0, 100, |t| 12.0 - 9.81 * t)).unwrap();
-        assert!((speed.factors()[1] + 9.81).abs() < 1e-12 && speed.residual < 1e-13);
+        assert!((speed.c[1] + 9.81).abs() < 1e-12 && speed.residual < 1e-13);
         assert!(
             speed
                 .words(Quantity::Velocity(VectorPart::Y), Quantity::Time)
@@ -264,7 +254,7 @@ mod tests {
         fn a_sine_is_found_with_its_frequency(rate in 0.8..40.0_f64, phase in -3.0..3.0_f64, size in 0.1..9.0_f64, middle in -9.0..9.0_f64) {
             let fit = Fit::of(FitLaw::Sine, &sampled(3.0, 601, |t| middle + size * (rate * t + phase).sin())).unwrap();
             prop_assert!((fit.rate - rate).abs() < 1e-8 * rate, "{} for {rate}", fit.rate);
-            prop_assert!((fit.amplitude() - size).abs() < 1e-7 && (fit.factors()[0] - middle).abs() < 1e-7 && fit.residual < 1e-8);
+            prop_assert!((fit.amplitude() - size).abs() < 1e-7 && (fit.c[0] - middle).abs() < 1e-7 && fit.residual < 1e-8);
         }
 
         #[test]

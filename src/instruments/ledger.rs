@@ -68,7 +68,6 @@ impl Account {
     }
 }
 
-/// A body and its forces at an end of a tick.
 #[derive(Clone, Copy, Debug)]
 struct TickEnd {
     position: DVec2,
@@ -88,13 +87,11 @@ impl TickEnd {
     }
 }
 
-/// Whether the force is the pressure of a surface that cannot move.
 fn is_still(game: &Game, source: Source, kind: ForceKind) -> bool {
     let Source::Surface(index) = source else { return false };
     kind != ForceKind::Friction && !matches!(game.level().surface(index as usize), SurfaceOf::Mover(_))
 }
 
-/// The accounts of all bodies at the moment on the screen.
 #[derive(Clone, Debug, Default)]
 pub struct WorkLedger {
     companion: Companion,
@@ -114,8 +111,7 @@ impl WorkLedger {
         let (mut companion, every) = (std::mem::take(&mut self.companion), EVERY << self.thinned);
         let there = companion.go_on(history, tick, most, |game| {
             self.take(game);
-            let newest = self.copies.last().map_or(0, |(at, _)| *at);
-            if game.ticks() >= newest + every {
+            if game.ticks() >= self.copies.last().map_or(0, |(at, _)| *at) + every {
                 self.copies.push((game.ticks(), self.accounts.clone()));
             }
         });
@@ -149,8 +145,7 @@ impl WorkLedger {
     fn take(&mut self, game: &Game) {
         for id in ids(game) {
             let (before, after) = (self.before[id.index()], TickEnd::of(game, id));
-            let account = BodyTick { game, id, before, after }.account();
-            self.accounts[id.index()] = self.accounts[id.index()].plus(&account);
+            self.accounts[id.index()] = self.accounts[id.index()].plus(&BodyTick { game, id, before, after }.account());
             self.before[id.index()] = after;
         }
     }
@@ -224,8 +219,7 @@ impl BodyTick<'_> {
     /// Gives the forces the remainder of their sum.
     fn share(&self, missing: f64, works: &mut [f64; KINDS], changed: &[f64; KINDS]) {
         let contacts = [ForceKind::Reaction, ForceKind::Friction, ForceKind::Push].map(|kind| kind as usize);
-        let abruptly = |k: &usize| differ(self.before.forces[*k], self.after.forces[*k]) > ABRUPT;
-        let turned = || contacts.into_iter().filter(abruptly);
+        let turned = || contacts.into_iter().filter(|k: &usize| differ(self.before.forces[*k], self.after.forces[*k]) > ABRUPT);
         // The part of the path from its middle to the point of the change.
         let further = missing / turned().map(|k| changed[k]).sum::<f64>();
         if further.abs() <= 0.5 + ABRUPT {
@@ -278,10 +272,6 @@ impl EnergyState {
     /// J.
     pub fn sum(&self) -> f64 {
         self.kinetic + self.potential + self.elastic
-    }
-
-    pub fn of_all(game: &Game) -> Self {
-        ids(game).map(|id| Self::of(game, id)).fold(Self::default(), Self::add)
     }
 }
 
@@ -351,8 +341,6 @@ mod tests {
         let ship = game.world().body(BodyId(0));
         let state = EnergyState::of(&game, BodyId(0));
         assert!((state.potential - ship.mass * 10.0 * (1000.0 - ship.position.y)).abs() < 1e-9);
-        let all = EnergyState::of_all(&game);
-        assert!(all.potential >= state.potential && all.kinetic == 0.0 && all.momentum == DVec2::ZERO);
     }
 
     #[test]

@@ -1,14 +1,13 @@
-//! A body's measurable quantities at an instant: symbol, unit, value, and rate of change where a law gives it. x counts to the right
-//! from the level's left edge and y **up** from its lower edge, as in school.
+//! A body's measurable quantities at an instant. x counts to the right from the level's left edge and y **up** from its lower edge, as in school.
 //! Units of SI as powers of its base units, so that slopes and areas have theirs: m/s a second is m/s², N along m is J.
 
-use crate::game::Game;
 use crate::physics::{BodyId, DVec2, ForceKind};
-use crate::words::tr;
+use crate::{game::Game, words::tr};
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum VectorPart {
     X,
+    #[default]
     Y,
     Size,
 }
@@ -42,9 +41,10 @@ impl VectorPart {
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Quantity {
     /// s, since the start.
+    #[default]
     Time,
     /// From the level's left edge, m.
     X,
@@ -137,7 +137,6 @@ impl Moment {
 }
 
 impl Quantity {
-    /// In its unit.
     pub fn of(self, moment: &Moment) -> f64 {
         match self {
             Self::Time => moment.time,
@@ -207,7 +206,6 @@ impl Quantity {
         }
     }
 
-    /// The heading of a column: `v_y (m/s)`.
     pub fn column(self) -> String {
         format!("{} ({})", self.stem(), self.unit().name())
     }

@@ -15,7 +15,6 @@ pub struct NumeralStyle {
     paired: bool,
 }
 
-/// A number in a text.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Numeral {
     /// `2.943` is either of two numbers.
@@ -71,7 +70,6 @@ const UNITS: [(&str, f64, &str); 35] = [
     ("Hz", 1.0, "Hz"),
 ];
 
-/// A unit as it is written, with the unit in SI and the factor.
 fn units() -> impl Iterator<Item = (&'static str, &'static str, f64)> {
     UNITS.iter().flat_map(|(dimension, factor, names)| names.split(", ").map(|name| (name, *dimension, *factor)))
 }
@@ -318,8 +316,7 @@ impl Wanted {
     pub fn new(what: &str, value: &str) -> Option<Self> {
         let [Numeral { values, .. }] = &numerals(value, NumeralStyle::default())[..] else { return None };
         let number = value.find(' ').map_or(value, |end| &value[..end]);
-        let unit = value[number.len()..].trim().to_owned();
-        Some(Self { what: what.to_owned(), value: *values.first()?, unit })
+        Some(Self { what: what.to_owned(), value: *values.first()?, unit: value[number.len()..].trim().to_owned() })
     }
 
     /// A cell of quantities, parted by `|`.

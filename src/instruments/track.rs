@@ -1,8 +1,5 @@
-//! All moments of one body in a flight. The flight is flown again beside its history, a few ticks a frame, so that each moment is known from the
-//! first tick on. A force that never acts takes no room: a free fall costs 80 bytes a tick, ten minutes of it 6 MB. A [`Companion`] follows the
-//! moment on the screen to and fro, tick by tick, although that may move by several ticks a frame, or jump. A [`Trail`] is the places of bodies at
-//! every tenth of a second before that moment, as in a stroboscope's picture: a tick of their own where the rate is a multiple of ten, and else a
-//! point between two ticks, on the parabola through both with the velocity of the later one.
+//! All moments of one body in a flight, flown again beside its history, a few ticks a frame; a free fall costs 80 bytes a tick. A [`Companion`]
+//! follows the moment on the screen to and fro; a [`Trail`] is the places of bodies at every tenth of a second before it, as under a stroboscope.
 
 use super::quantity::{BodyConstants, Moment, Quantity, VectorPart, upwards};
 use crate::game::{Game, History, SHIP};
@@ -34,7 +31,6 @@ pub struct BodyTrack {
 }
 
 impl BodyTrack {
-    /// A body without any moment.
     pub fn new(body: BodyId) -> Self {
         Self {
             companion: Companion::default(),

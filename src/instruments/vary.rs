@@ -23,10 +23,6 @@ impl Variation {
         }
     }
 
-    pub fn reset(&mut self, parameter: Parameter) {
-        self.changes.remove(&parameter);
-    }
-
     pub fn is_empty(&self) -> bool {
         self.changes.is_empty()
     }
@@ -136,8 +132,7 @@ impl SliderTrack {
             Self::Ratios(..) => 0.0,
             Self::Choices(high) => return (value + steps.signum()).clamp(0.0, high),
         };
-        let unit = (power(value) * 0.1).max(finest);
-        rounded(value + steps * unit).clamp(least, most)
+        rounded(value + steps * (power(value) * 0.1).max(finest)).clamp(least, most)
     }
 }
 

@@ -29,7 +29,6 @@ impl Stuff {
     }
 }
 
-/// A one-shot sound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cue {
     Knock(Stuff),
@@ -189,18 +188,15 @@ fn knock(stuff: Stuff, loudness: f32) -> Recipe {
     Recipe::new(modes.iter().enumerate().map(struck).chain([SoundPart { peak: noise.peak * bright, ..noise }]))
 }
 
-/// A small bell with its octave and a high mode.
 fn bell(at: f32, pitch: f32, peak: f32) -> [SoundPart; 3] {
     let mode = |(ratio, fade, share)| SoundPart { at, ..struck(pitch * ratio, fade, peak * share) };
     [(1.0, 0.26, 1.0), (2.0, 0.16, 0.35), (5.4, 0.06, 0.12)].map(mode)
 }
 
-/// A tone without attack.
 pub const fn struck(pitch: f32, fade: f32, peak: f32) -> SoundPart {
     SoundPart { at: 0.0, pitch, glide: 0.0, narrowness: None, swell: 0.0015, fade, peak }
 }
 
-/// Noise without attack.
 pub const fn burst(pitch: f32, narrowness: f32, fade: f32, peak: f32) -> SoundPart {
     SoundPart { narrowness: Some(narrowness), ..struck(pitch, fade, peak) }
 }

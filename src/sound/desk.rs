@@ -1,6 +1,5 @@
-//! Between the game and the sound's thread: atomics only, so that neither ever waits. The game writes to the [`SoundDesk`], the mixer reads the
-//! [`Feed`]. Without a reader the writes are lost. The [`Speaker`] gathers the sounds of a frame and passes them on at its end, each cue once and as
-//! loud as its loudest: many collisions a frame are one click.
+//! Between the game and the sound's thread: atomics only, so that neither ever waits. The [`SoundDesk`] writes, the mixer reads the [`Feed`]. The
+//! [`Speaker`] passes each cue of a frame on once, as loud as its loudest: many collisions a frame are one click.
 
 use super::{Ambience, Cue, Sound, Volumes, music::Arrangement, output::Output};
 use std::sync::Arc;
@@ -19,10 +18,8 @@ pub fn desk() -> (SoundDesk, Feed) {
     (desk, Feed(shared))
 }
 
-/// The game's end.
 pub struct SoundDesk(Arc<Shared>);
 
-/// The mixer's end.
 #[derive(Clone)]
 pub struct Feed(Arc<Shared>);
 
@@ -113,12 +110,10 @@ impl Feed {
         Arrangement { world: self.0.world.load(Ordering::Relaxed), pace, goals }
     }
 
-    /// Frames written so far.
     pub fn frames(&self) -> u32 {
         self.0.frames.load(Ordering::Relaxed)
     }
 
-    /// The next sound that is due.
     pub fn next(&self) -> Option<Sound> {
         let shared = &self.0;
         let (written, read) = (shared.written.load(Ordering::Acquire), shared.read.load(Ordering::Relaxed));
@@ -154,8 +149,7 @@ fn within(value: f32, least: f32) -> f32 {
 
 fn pack(sound: Sound) -> u64 {
     let loudness = (within(sound.loudness, 0.0) * STEPS) as u64;
-    let place = (within(sound.place, -1.0) * STEPS + STEPS) as u64;
-    (sound.cue.number() as u64) << 32 | loudness << 16 | place
+    (sound.cue.number() as u64) << 32 | loudness << 16 | (within(sound.place, -1.0) * STEPS + STEPS) as u64
 }
 
 fn unpack(packed: u64) -> Sound {
@@ -185,7 +179,6 @@ impl Speaker {
         Self { desk, due: [None; Cue::COUNT], ambience: Ambience::default(), _output: None }
     }
 
-    /// In this frame.
     pub fn play(&mut self, sound: Sound) {
         let due = &mut self.due[sound.cue.number()];
         if due.is_none_or(|due| due.loudness < sound.loudness) {

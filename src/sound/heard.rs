@@ -21,7 +21,6 @@ const SPLASH_SPEED: f64 = 0.8;
 /// Speed with all layers of the music, m/s.
 const BRISK: f64 = 14.0;
 
-/// A sound that is due.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sound {
     pub cue: Cue,
@@ -152,8 +151,7 @@ fn stream(game: &Game, ship: &Body) -> f64 {
 fn wetness(game: &Game) -> f64 {
     let ship = game.world().body(SHIP).bounds();
     let shared = |zone: &crate::physics::Aabb| (zone.max.min(ship.max) - zone.min.max(ship.min)).max(DVec2::ZERO).element_product();
-    let under: f64 = game.level().fluids.iter().map(|fluid| shared(&fluid.zone)).sum();
-    (under / ship.size().element_product()).min(1.0)
+    (game.level().fluids.iter().map(|fluid| shared(&fluid.zone)).sum::<f64>() / ship.size().element_product()).min(1.0)
 }
 
 /// A sound at a point of the level, heard from the ship.

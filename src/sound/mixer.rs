@@ -1,12 +1,10 @@
-//! The sum of all sounds: stereo samples from the desk's state. A limiter keeps loud samples below a ceiling. Samples below it pass unchanged, with a
-//! short delay: the limiter sees them in advance and has turned down in time. The bed of continuous sounds (the engine, the wind, the liquid around
-//! the ship) is noise, filtered by the strength of each.
+//! The sum of all sounds: stereo samples from the desk's state; the engine, the wind and the liquid are noise, filtered by the strength of each.
+//! A limiter sees loud samples in advance, by a short delay, and turns down in time; samples below its ceiling pass unchanged.
 
-use super::cue::Recipe;
 use super::filter::{BandPass, Glide, LowPass, WhiteNoise};
 use super::music::{Arrangement, Music};
 use super::voice::{Choir, Voice};
-use super::{Ambience, Cue, Feed, Volumes};
+use super::{Ambience, Cue, Feed, Volumes, cue::Recipe};
 use std::f32::consts::TAU;
 
 /// Samples between two looks at the desk, and between two updates of filters: 1.3 ms at 48 kHz.
@@ -33,13 +31,11 @@ pub struct Mixer {
     music: Music,
     /// Two in a row for each side.
     water: [[LowPass; 2]; 2],
-    /// The desk's last state.
     volumes: Volumes,
     ambience: Ambience,
     tune: Option<u32>,
     how: Arrangement,
     frames: u32,
-    /// Samples since the last frame.
     held_up: u32,
     effects_gain: Glide,
     music_gain: Glide,
@@ -135,8 +131,7 @@ impl Mixer {
 const CEILING: f32 = 0.85;
 /// Its look-ahead, s: the time in which it turns down. A jump would be heard as a crack; 2 ms are shorter than the ear can tell from one.
 const AHEAD: f32 = 0.002;
-/// Time constant of its release, s: longer than five periods of the deepest tone, 46 Hz, which it would distort otherwise, and
-/// shorter than the decay of a crash, after which the engine would be heard to swell.
+/// Time constant of its release, s. Shorter: the deepest tone, 46 Hz, is distorted; longer than a crash's decay: the engine is heard to swell after it.
 const RELEASE: f32 = 0.12;
 /// A gain from here on counts as 1.
 const NEARLY: f32 = 0.9995;
@@ -151,7 +146,6 @@ struct Limiter {
     /// The target gain, and the samples for which it is held.
     aim: f32,
     held: usize,
-    /// The number of consecutive targets of 1.
     open: usize,
     /// Of the targets in the ring; `f64` keeps its rounding inaudible.
     sum: f64,

@@ -1,7 +1,5 @@
-//! Sound, computed while the game runs; no file is read and nothing waits for it.
-//! `heard` maps events and the ship's surroundings ([`Ambience`]) to sounds, the [`Speaker`] writes a frame of them into a `desk`
-//! of atomics, and the [`Mixer`] reads it and computes stereo samples from `voice`s (the cues' `recipe`s), the `bed` and the
-//! `music` below a `limiter`. An `output` takes them to a device on its own thread; without a device nothing reads the desk.
+//! Sound, computed while the game runs; no file is read and nothing waits for it. `heard` maps events to sounds, the [`Speaker`] writes a frame of
+//! them into a `desk` of atomics, which the [`Mixer`] reads; an `output` takes its samples to a device on its own thread, if there is one.
 
 mod cue;
 mod desk;

@@ -1,6 +1,5 @@
-//! Plays a [`Tune`]: soft chords that swell, a plucked melody, and an echo that goes from side to side; with speed a bass and a brush come in, with
-//! goals broken chords. Its notes come from a number: a scale, a pace, and motifs that return changed. Each world has an ensemble: scales, a pace,
-//! the sound of its plucked notes and of its beat.
+//! Plays a [`Tune`]: chords, a plucked melody and an echo from side to side; with speed a bass and a brush come in, with goals broken chords. Its
+//! notes come from a number: a scale, a pace, and motifs that return changed. Each world has an ensemble with scales, a pace and sounds of its own.
 
 use super::cue::{Recipe, SoundPart, burst, struck};
 use super::filter::{Glide, LowPass, WhiteNoise};
@@ -93,8 +92,7 @@ impl Music {
             self.sing(&ensemble.brush(BRUSH * (how.pace - BRISK) / (1.0 - BRISK)));
         }
         if how.goals > 0.0 {
-            let pitch = 2.0 * self.chord[self.eighth as usize % self.chord.len()];
-            self.sing(&ensemble.pluck(pitch, 0.8, BROKEN * how.goals));
+            self.sing(&ensemble.pluck(2.0 * self.chord[self.eighth as usize % self.chord.len()], 0.8, BROKEN * how.goals));
         }
     }
 
@@ -136,8 +134,7 @@ impl Echo {
     }
 
     fn next(&mut self, dry: [f32; 2]) -> [f32; 2] {
-        let from = (self.at + self.past.len() - self.delay) % self.past.len();
-        let [left, right] = self.past[from];
+        let [left, right] = self.past[(self.at + self.past.len() - self.delay) % self.past.len()];
         let wet = [self.dull[0].next(right) * ECHO, self.dull[1].next(left) * ECHO];
         self.past[self.at] = [dry[0] + wet[0], dry[1] + wet[1]];
         self.at = (self.at + 1) % self.past.len();
@@ -192,7 +189,6 @@ impl Tune {
         tune
     }
 
-    /// The notes that begin with that eighth, counted from the beginning.
     pub fn notes(&mut self, eighth: u32) -> Notes {
         let (bar, beat) = (eighth / BAR, eighth % BAR);
         let (section, bar) = (bar / SECTION, bar % SECTION);
@@ -200,10 +196,8 @@ impl Tune {
             self.begin_section(section);
         }
         let ground = self.grounds[(bar / 2) as usize % self.grounds.len()];
-        let chord = (beat == 0 && bar.is_multiple_of(2)).then(|| {
-            let third = if ground == 0 { 5 } else { 6 };
-            [ground, ground + 3, ground + third].map(|degree| self.pitch(degree))
-        });
+        let chord = (beat == 0 && bar.is_multiple_of(2))
+            .then(|| [ground, ground + 3, ground + if ground == 0 { 5 } else { 6 }].map(|degree| self.pitch(degree)));
         Notes { melody: self.melody(section, bar, beat), chord }
     }
 
@@ -217,8 +211,7 @@ impl Tune {
             _ => return None,
         };
         let mut chance = self.chance(u64::from(section) << 32 | u64::from(bar * BAR + beat) << 8 | 1);
-        let kept = if bar < 4 { 0.85 } else { 0.6 };
-        chance.random_bool(kept).then(|| {
+        chance.random_bool(if bar < 4 { 0.85 } else { 0.6 }).then(|| {
             let strength = if beat == 0 { 1.0 } else { chance.random_range(0.45..0.85_f32) };
             (self.pitch(degree.clamp(LOWEST, HIGHEST)), strength)
         })
@@ -233,14 +226,12 @@ impl Tune {
             degree = (degree + [-2, -1, -1, 1, 1, 2][chance.random_range(0..6)]).clamp(LOWEST, HIGHEST);
             *note = (beat == 0 || chance.random_bool(0.55)).then_some(degree);
         }
-        let second = chance.random_range(1..5);
-        self.grounds = [0, second, chance.random_range(2..4), 0];
+        self.grounds = [0, chance.random_range(1..5), chance.random_range(2..4), 0];
     }
 
     /// The pitch of a degree of the scale, Hz; five to the octave.
     fn pitch(&self, degree: i32) -> f32 {
-        let semitones = 12 * degree.div_euclid(5) + self.scale[degree.rem_euclid(5) as usize];
-        self.root * (semitones as f32 / 12.0).exp2()
+        self.root * ((12 * degree.div_euclid(5) + self.scale[degree.rem_euclid(5) as usize]) as f32 / 12.0).exp2()
     }
 
     fn chance(&self, place: u64) -> Pcg32 {
@@ -248,10 +239,8 @@ impl Tune {
     }
 }
 
-/// The number of worlds.
 pub const WORLDS: usize = 5;
 
-/// How a level's music is played.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Arrangement {
     /// Of [`WORLDS`]; further ones begin again.
@@ -331,7 +320,6 @@ impl Ensemble {
         }))
     }
 
-    /// The bass: one low tone and its octave.
     pub fn bass(&self, pitch: f32, peak: f32) -> Recipe {
         let tone = |pitch, fade, peak| SoundPart { swell: 0.006 + 0.3 * self.attack, ..struck(pitch, fade, peak) };
         Recipe::new([tone(pitch, 0.22, peak), tone(2.0 * pitch, 0.1, 0.3 * peak)])

@@ -20,7 +20,6 @@ const EXCHANGE_GAIN: f32 = 40.0;
 /// The side of a cell, canvas units: finer finds tighter places, in time that grows with the square.
 const CELL: f32 = 16.0;
 
-/// A box without a place yet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxWish {
     pub object: Area,
@@ -29,8 +28,7 @@ pub struct BoxWish {
     pub before: Option<Vec2>,
 }
 
-/// Gives each box, in order, the best place left: none overlaps another or one of `taken`, all lie inside `window`. A box covers
-/// `kept_clear` (objects, arrows) only when that spares a long distance. `None` where no place is left.
+/// The best place left for each box, clear of each other and `taken`; `kept_clear` is covered only to spare a long distance. `None` without a place.
 pub fn place(wishes: &[BoxWish], window: Area, taken: &[Area], kept_clear: &[Area]) -> Vec<Option<Area>> {
     let mut fixed = taken.to_vec();
     let mut map = FreeMap::new(window, taken, kept_clear);
@@ -53,8 +51,7 @@ fn exchange(wishes: &[BoxWish], places: &mut [Option<Area>]) {
                 && a.size == b.size
             {
                 let (first, second) = (wishes[i].object.centre(), wishes[j].object.centre());
-                let now = distance(&a, first) + distance(&b, second);
-                if distance(&b, first) + distance(&a, second) < now - EXCHANGE_GAIN {
+                if distance(&b, first) + distance(&a, second) < distance(&a, first) + distance(&b, second) - EXCHANGE_GAIN {
                     places.swap(i, j);
                 }
             }
@@ -133,8 +130,7 @@ impl FreeMap {
         let mut costs = vec![0.0; columns * rows];
         for area in kept_clear {
             let [left, top, right, bottom] = map.cells(area);
-            let count = ((right - left) * (bottom - top)).max(1);
-            let each = (COVER_COST / count as f32).max(CELL_COST);
+            let each = (COVER_COST / ((right - left) * (bottom - top)).max(1) as f32).max(CELL_COST);
             (top..bottom)
                 .for_each(|row| costs[row * columns + left..row * columns + right].iter_mut().for_each(|cost| *cost += each));
         }

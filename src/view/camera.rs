@@ -7,8 +7,7 @@ use crate::physics::{Aabb, BodyId, DVec2, Event, LinkEnd, Obstacle, Source};
 
 /// Time constant of the camera's approach to the ship, s. Longer lags behind, shorter jerks at every bump.
 const EASE_TIME: f64 = 0.12;
-/// The camera looks ahead of the ship by the distance that it flies in this time, s, at most so far across and down, m. A larger
-/// value shows more of the level ahead, but the ship strays from the middle.
+/// The camera looks ahead by the way that the ship flies in this time, s, at most so far, m. Larger: more in view; the ship strays from the middle.
 const AHEAD_TIME: f64 = 0.5;
 const AHEAD_MOST: DVec2 = DVec2::new(9.0, 5.0);
 /// Time constant of a turn to the ship's direction, s: slow enough that a bump does not throw the view about.
@@ -102,7 +101,6 @@ impl Camera {
         view.zoomed(kept, self.zoom.unwrap_or(1.0) * self.widening()).closer(kept, self.closeness)
     }
 
-    /// The factor on the scale of a fast ship's view.
     fn widening(&self) -> f64 {
         let part = ((self.speed - WIDENS[0]) / (WIDENS[1] - WIDENS[0])).clamp(0.0, 1.0);
         1.0 + (WIDER - 1.0) * part * part * (3.0 - 2.0 * part)
@@ -119,7 +117,6 @@ impl Camera {
     }
 }
 
-/// The window's measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CanvasWindow {
     /// Canvas units.
@@ -161,16 +158,14 @@ impl Viewport {
     /// Magnified by `factor` around the ship (m), whose place stays but for the window's and the level's edges.
     pub fn closer(self, ship: DVec2, factor: f64) -> Self {
         let scale = self.scale * factor;
-        let middle = (self.origin + self.window.size * 0.5) / self.scale;
-        self.at(scale, ship + (middle - ship) / factor, ship)
+        self.at(scale, ship + ((self.origin + self.window.size * 0.5) / self.scale - ship) / factor, ship)
     }
 
     /// Turned by a part (0 … 1) towards a view that has a box (m) in it, no closer than usual.
     pub fn towards(self, bounds: &Aabb, part: f64) -> Self {
         let fitting = (self.window.size / bounds.size()).min_element().clamp(self.widest(), self.scale);
         let middle = ((self.origin + self.window.size * 0.5) / self.scale).lerp(bounds.centre(), part);
-        let view = Self { beyond: FIT_MARGIN * part, ..self };
-        view.at(self.scale * (fitting / self.scale).powf(part), middle, middle)
+        Self { beyond: FIT_MARGIN * part, ..self }.at(self.scale * (fitting / self.scale).powf(part), middle, middle)
     }
 
     /// Magnified by `factor`, down to the whole level in view; a point (m) stays but for the window's and the level's edges.
@@ -233,8 +228,7 @@ impl Viewport {
     /// A box of the level on the canvas, its edges on whole physical pixels so that adjoining boxes leave no seam.
     pub fn rect(&self, bounds: &Aabb) -> Area {
         let min = self.snap(bounds.min * self.scale - self.origin).as_vec2();
-        let max = self.snap(bounds.max * self.scale - self.origin).as_vec2();
-        Area { min, size: max - min }
+        Area { min, size: self.snap(bounds.max * self.scale - self.origin).as_vec2() - min }
     }
 
     /// A moving box on the canvas, not rounded to pixels: it glides.
@@ -296,8 +290,7 @@ impl StirredObjects {
         }
         let tick = 1.0 / game.tick_rate();
         for (body, rested) in &mut self.0 {
-            let moves = world.body(*body).velocity.length() > RESTS;
-            *rested = if moves { 0.0 } else { *rested + tick };
+            *rested = if world.body(*body).velocity.length() > RESTS { 0.0 } else { *rested + tick };
         }
         self.0.retain(|(_, rested)| *rested < FORGOTTEN);
     }

@@ -15,7 +15,6 @@ const PLUME_SPEED: f64 = 7.0;
 const PLUME_GROWTH: f64 = 0.06;
 /// Sparks a second and metre of an objective's outline.
 const OBJECTIVE_RATE: f64 = 1.3;
-/// Sparks a second of a key object.
 const KEY_RATE: f64 = 9.0;
 /// Streaks a second and square metre of an air stream.
 const STREAM_RATE: f64 = 1.2;
@@ -88,8 +87,7 @@ impl Emitters {
                 *ready -= 1.0;
                 let way = force / strength;
                 let place = way * -particles.between(0.2, 1.2) + way.perp() * particles.between(-1.0, 1.0);
-                let speed = particles.between(6.0, 10.0);
-                let motion = (ship + place * FELT_REACH, game.world().body(SHIP).velocity + way * speed);
+                let motion = (ship + place * FELT_REACH, game.world().body(SHIP).velocity + way * particles.between(6.0, 10.0));
                 particles.add(Particle::new(ParticleLook::Streak, theme::force(kind), motion, 0.3));
             }
         }
@@ -197,8 +195,7 @@ fn particles_of(emitter: Emitter, game: &Game, particles: &mut Particles) {
             let ahead = if way[axis] > 0.0 { room[axis] } else { size[axis] - room[axis] };
             let life = life.min(ahead / speed);
             if life as f32 > 0.1 {
-                let colour = theme::force(ForceKind::Wind);
-                particles.add(Particle::new(ParticleLook::Streak, colour, (position, way * speed), life));
+                particles.add(Particle::new(ParticleLook::Streak, theme::force(ForceKind::Wind), (position, way * speed), life));
             }
         }
     }

@@ -51,7 +51,6 @@ pub enum Value {
     Vector(DVec2),
 }
 
-/// A line of a box.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FactRow {
     pub name: &'static str,
@@ -59,13 +58,11 @@ pub struct FactRow {
     pub by: String,
     pub value: Value,
     pub unit: &'static str,
-    /// The force or impact, where the line has a colour.
     pub shown: Option<ArrowKind>,
     pub causes: Vec<Source>,
 }
 
 impl FactRow {
-    /// A line without a source.
     pub const fn plain(name: &'static str, value: Value, unit: &'static str) -> Self {
         Self { name, by: String::new(), value, unit, shown: None, causes: Vec::new() }
     }
@@ -92,7 +89,6 @@ pub struct BodyFacts {
     pub rows: Vec<FactRow>,
 }
 
-/// All facts about a body.
 pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
     let (world, ship) = (game.world(), id == SHIP);
     let (body, forces) = (world.body(id), world.forces(id));
@@ -114,8 +110,7 @@ pub fn facts(game: &Game, id: BodyId) -> BodyFacts {
     };
     rows.push(line(ArrowKind::Resultant, balanced(forces.resultant(), strongest), "N"));
     let exerted = |row: FactRow, causes: Vec<Source>| FactRow { by: by_whom(game, id, &causes), causes, ..row };
-    let named = by_name(&forces).into_iter();
-    rows.extend(named.map(|(kind, force, by)| exerted(line(ArrowKind::Force(kind), force, "N"), by)));
+    rows.extend(by_name(&forces).into_iter().map(|(kind, force, by)| exerted(line(ArrowKind::Force(kind), force, "N"), by)));
     let (mut count, mut others, least) = (0, DVec2::ZERO, SMALLEST_IMPACT * body.mass);
     for (i, felt) in game.impacts(id).iter().enumerate() {
         if i < IMPACTS + count && felt.impulse.length() >= least {
@@ -166,8 +161,7 @@ pub fn by_whom(game: &Game, on: BodyId, causes: &[Source]) -> String {
     }
 }
 
-/// The forces by name, in the usual order: the sum, N, and each of their sources once. Forces of one name that point the same way (the reactions of two floor tiles) are one;
-/// those of one name that oppose each other stay apart, for their sum would hide the pressure.
+/// The forces by name: the sum, N, and each source once. Those of one name and way are one, opposed ones not: their sum would hide the pressure.
 fn by_name(forces: &ForceManager) -> Vec<(ForceKind, DVec2, Vec<Source>)> {
     let mut named: Vec<(ForceKind, DVec2, Vec<Source>)> = Vec::new();
     for kind in ForceKind::ALL {
@@ -229,12 +223,10 @@ fn scale(row: &FactRow, beside: &[FactRow]) -> QuantityScale {
 /// Whether all numbers of a row are zeros as written beside those of other rows.
 pub fn reads_as_nothing(row: &FactRow, beside: &[FactRow]) -> bool {
     let scale = scale(row, beside);
-    let least = scale.one.map_or(0.0, |one| 0.5 * one / 10f64.powi(scale.decimals as i32));
-    largest(row) < least.max(NOTHING)
+    largest(row) < scale.one.map_or(0.0, |one| 0.5 * one / 10f64.powi(scale.decimals as i32)).max(NOTHING)
 }
 
-/// The rows of a box: each number in a field as wide as the longest one, at least `least` characters, and the unit. The forces are
-/// rounded together, so that each column adds up to its resultant as it is written.
+/// The rows of a box, each number at least `least` characters wide. Forces are rounded together: each column adds up to its resultant as written.
 pub fn quantities(rows: &[FactRow], least: usize) -> Vec<String> {
     let mut all: Vec<(Vec<String>, QuantityScale)> = rows.iter().map(|row| numbers(row, rows)).collect();
     if let Some(resultant) = rows.iter().position(|row| row.shown == Some(ArrowKind::Resultant)) {
@@ -271,8 +263,7 @@ fn balance(rows: &[FactRow], resultant: usize, all: &mut [(Vec<String>, Quantity
         };
         let parts: Vec<(f64, bool)> = forces.iter().map(|row| (value(*row) / digit, reads_as_nothing(&rows[*row], rows))).collect();
         let sum = (value(resultant) / digit).round();
-        let counts = rounded_to(sum, &parts).into_iter().chain([sum]);
-        for (row, count) in forces.iter().copied().chain([resultant]).zip(counts) {
+        for (row, count) in forces.iter().copied().chain([resultant]).zip(rounded_to(sum, &parts).into_iter().chain([sum])) {
             if value(row).abs() >= NOTHING {
                 all[row].0[axis] = fixed(count * digit / one, decimals);
             }

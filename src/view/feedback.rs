@@ -29,7 +29,6 @@ const RING_REACH: f64 = 4.0;
 const RUN_TIME: f64 = 0.55;
 const RUN_LENGTH: f64 = 0.3;
 
-/// Effects, by their age in seconds.
 #[derive(Default)]
 pub struct Feedback {
     hit: Option<f64>,
@@ -91,8 +90,7 @@ impl Feedback {
     /// The shake of the screen, canvas units: at most 6 along each axis, none after 200 ms.
     pub fn shake(&self) -> DVec2 {
         self.hit.map_or(DVec2::ZERO, |age| {
-            let left = (1.0 - age / SHAKE_TIME).max(0.0);
-            DVec2::new((age * 95.0).cos(), (age * 127.0).cos()) * (SHAKE_REACH * left)
+            DVec2::new((age * 95.0).cos(), (age * 127.0).cos()) * (SHAKE_REACH * (1.0 - age / SHAKE_TIME).max(0.0))
         })
     }
 
@@ -119,17 +117,14 @@ impl Feedback {
                 at.y = at.y.min(newer.y - line);
             }
             newer = Some(at);
-            let style = Style::new(BUTTON_TEXT, colour.faded((2.0 - 2.0 * t).min(1.0))).mono().centred().middle();
-            canvas.text(words, at, style);
+            canvas.text(words, at, Style::new(BUTTON_TEXT, colour.faded((2.0 - 2.0 * t).min(1.0))).mono().centred().middle());
         }
     }
 
-    /// The flash of a death, and the red edges of the screen.
     pub fn draw_flash(&self, canvas: &Canvas) {
         const BANDS: usize = 12;
         if let Some(age) = self.death {
-            let left = (1.0 - age / DEATH_FLASH) as f32;
-            canvas.rectangle(canvas.frame().area(), theme::text().faded(0.7 * left));
+            canvas.rectangle(canvas.frame().area(), theme::text().faded(0.7 * (1.0 - age / DEATH_FLASH) as f32));
         }
         let Some(age) = self.hit else { return };
         let left = (1.0 - age / FLASH_TIME).max(0.0) as f32;

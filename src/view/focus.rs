@@ -1,11 +1,9 @@
-//! The subject of the details: all bodies in view, one that is followed, or two that are compared; with the zoom of the view and the length of the
-//! arrows. A force's partner by Newton's third law: the body that exerts it feels the opposite one; in words, and with its place in the level where
-//! there is one; the Earth has none.
+//! The subject of the details: all bodies in view, one that is followed, or two that are compared; the zoom of the view, the length of the arrows.
+//! A force's partner by Newton's third law, in words, with its place in the level where there is one; the Earth has none.
 
 use super::facts::{ArrowKind, BodyFacts, FactRow, Value, by_whom, linked_to, quantity};
-use crate::game::Game;
 use crate::physics::{Aabb, BodyId, DVec2, LinkEnd, Source};
-use crate::words::tr;
+use crate::{game::Game, words::tr};
 
 /// The most steps that arrows can be made longer or shorter by: a step is √2.
 const MOST: i8 = 24;
@@ -13,7 +11,6 @@ const MOST: i8 = 24;
 const CLOSER: i8 = 8;
 const WIDER: i8 = 20;
 
-/// The selection in a game.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Focus {
     pub followed: Option<BodyId>,
@@ -29,7 +26,6 @@ impl Focus {
         Self { followed: Some(body), fitted: true, ..Self::default() }
     }
 
-    /// The same view, without a selection.
     #[must_use]
     pub const fn on_nobody(self) -> Self {
         Self { followed: None, compared: None, ..self }
@@ -88,7 +84,6 @@ impl Focus {
 /// Half the size of the place that a link leads to, m.
 const ANCHOR: f64 = 0.3;
 
-/// The partner of a force or an impact on a body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Partner {
     /// Subject, verb and object, with the size of the force or impact.

@@ -1,6 +1,5 @@
-//! Places of free-body arrows: from the middle of their body and to scale wherever that hides nothing. A head that would cover
-//! another one, the ship, a hazard, a goal or the head-up display moves aside, along its line of action, or, at last, off its
-//! scale, which is marked. A force too small to be seen is as long as its head needs.
+//! Places of free-body arrows: from the middle of their body and to scale wherever that hides nothing. A head that would cover another one, the ship,
+//! a hazard, a goal or the display moves aside, along its line, or at last off its scale, which is marked. A tiny force is as long as its head needs.
 
 use super::facts::{ArrowKind, BodyFacts, FactRow, NO_PART, Value, reads_as_nothing};
 use super::scale::{Arrow, ArrowScale, HEAD_SPREAD, Label, Reach, head_length};
@@ -33,7 +32,6 @@ const TO_SCALE: f32 = 0.5;
 /// Canvas units: longer than any window, and still exact enough for arithmetic.
 const LONGEST: f64 = 1e6;
 
-/// A body with its facts.
 #[derive(Clone, Debug)]
 pub struct ArrowSubject {
     pub facts: BodyFacts,
@@ -90,8 +88,7 @@ pub fn reaches(subjects: &[ArrowSubject], ground: &Ground) -> [Vec<Reach>; 2] {
     for subject in subjects {
         let from = ground.start(&subject.object);
         for (shown, vector) in subject.facts.rows.iter().filter_map(|row| arrow_of(row, &subject.facts.rows)) {
-            let room = ground.room(from, vector.normalize_or_zero().as_vec2());
-            found[usize::from(shown.is_impact())].push((vector.length(), room));
+            found[usize::from(shown.is_impact())].push((vector.length(), ground.room(from, vector.normalize_or_zero().as_vec2())));
         }
     }
     found
@@ -119,8 +116,7 @@ impl ArrowLayout {
             let arrow = |row: &(usize, ArrowKind, DVec2)| row.1 != ArrowKind::Resultant;
             rows.sort_by(|a, b| arrow(a).cmp(&arrow(b)).then(b.2.length_squared().total_cmp(&a.2.length_squared())));
             for (i, &(row, shown, metres)) in rows.iter().enumerate() {
-                let nth = rows[..i].iter().filter(|other| other.1 == shown).count();
-                let key = (subject.facts.body, shown, nth);
+                let key = (subject.facts.body, shown, rows[..i].iter().filter(|other| other.1 == shown).count());
                 let drawn = (metres.normalize_or_zero().as_vec2(), (metres.length() * metre).min(LONGEST) as f32);
                 let wish = ArrowWish::new(subject, shown, drawn, ground);
                 let near: Vec<_> = ground.never.iter().chain(&heads).copied().filter(|area| area.gap(&wish.reach) < 0.0).collect();
@@ -222,8 +218,7 @@ impl ArrowWish {
         Self { shown, from, along, back, length, least, base, reach: Area { min, size: max - min } }
     }
 
-    /// The first free place: the usual one, that of the frame before, any other at the body, one outside of it, and at last one off
-    /// the scale. Returns its index, the arrow's ends, and whether it is to scale.
+    /// The first free place, off the scale at last: its index, the arrow's ends, and whether it is to scale.
     fn place(&self, before: Option<usize>, near: &[Area], ground: &Ground) -> Option<(usize, Vec2, Vec2, bool)> {
         let usual_clearance = if before.is_some_and(|index| index > 0) { RETURNS } else { APART };
         let tried = |index: usize, apart: f32| self.tried(index, apart, near, ground);
@@ -261,8 +256,7 @@ impl ArrowWish {
     }
 }
 
-/// Places of the arrows' labels: beyond the tip, or next to it where that is taken; none over another or over `taken`, all inside
-/// the window. `width` gives a label's width. An arrow without room has no label: its box names it.
+/// Places of the arrows' labels, beyond the tip or next to it, clear of each other and of `taken`. One without room is left out: its box names it.
 pub fn place_labels(arrows: &[Arrow], height: f32, width: impl Fn(&str) -> f32, window: Area, taken: &[Area]) -> Vec<Label> {
     let mut fixed = taken.to_vec();
     let mut labels = Vec::new();
@@ -271,8 +265,7 @@ pub fn place_labels(arrows: &[Arrow], height: f32, width: impl Fn(&str) -> f32, 
         let along = (arrow.to - arrow.from).normalize_or_zero();
         // From the tip to the label's middle so that the label just clears the tip in that direction.
         let beyond = |way: Vec2, gap: f32| arrow.to + way * ((size * 0.5 * way.abs()).element_sum() + gap);
-        let sides = [along.perp(), -along.perp()];
-        let beside = |back: f32| sides.map(|side| beyond(side, 9.0) - along * back);
+        let beside = |back: f32| [along.perp(), -along.perp()].map(|side| beyond(side, 9.0) - along * back);
         let length = arrow.length();
         let places = [beyond(along, 4.0)]
             .into_iter()

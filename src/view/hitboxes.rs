@@ -4,11 +4,8 @@ use super::{camera::Viewport, theme};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, SHIP};
-use crate::level::ship_body;
-use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind, Source};
-use crate::view::hud::HudLayout;
-use crate::words::tr;
+use crate::{level::ship_body, number::fixed, view::hud::HudLayout, words::tr};
 
 /// The colours of bodies, solid surfaces and zones.
 const BODY: Colour = Colour::hex(0x7CFF6B);
@@ -68,7 +65,6 @@ fn draw_contacts(game: &Game, id: BodyId, view: &Viewport, canvas: &Canvas) {
 
 /// Below the head-up display's panel.
 pub fn figures_area(game: &Game, frame: &Frame) -> Area {
-    // The caller's figures and the ship's stand above the counts.
     let (text, counts) = (frame.text_height(DETAILS), counts(game));
     let longest = counts.iter().map(|line| line.chars().count()).fold(FIGURES, usize::max);
     let size = Vec2::new(longest as f32 * MONO_ADVANCE, (2 + counts.len()) as f32 * LINE) * text;
@@ -82,8 +78,7 @@ fn counts(game: &Game) -> Vec<String> {
     let methods: Vec<String> = world.methods().all().filter(|(_, n)| *n > 0).map(|(name, n)| format!("{n} {}", tr(name))).collect();
     let methods = (!methods.is_empty()).then(|| tr!("bodies: {counts}", counts = methods.join(", ")));
     let guard = |(name, count): (&str, u64)| tr!("guard {name}: {count}", name = tr(&name.replace('_', " ")), count);
-    let guards = world.guards().all().filter(|(_, n)| *n > 0).map(guard);
-    methods.into_iter().chain(guards).collect()
+    methods.into_iter().chain(world.guards().all().filter(|(_, n)| *n > 0).map(guard)).collect()
 }
 
 /// On a ground of its own so that it can be read over anything.
@@ -95,7 +90,6 @@ fn draw_figures(game: &Game, figures: &str, canvas: &Canvas) {
     let (line, area) = (canvas.line_height(DETAILS), figures_area(game, canvas.frame()));
     canvas.rounded(area, GRID, theme::ground().faded(0.8));
     for (i, text) in [figures.to_owned(), place].into_iter().chain(counts(game)).enumerate() {
-        let at = area.min + Vec2::new(GRID, GRID * 0.5 + i as f32 * line);
-        canvas.text(&text, at, Style::new(DETAILS, theme::text()).mono());
+        canvas.text(&text, area.min + Vec2::new(GRID, GRID * 0.5 + i as f32 * line), Style::new(DETAILS, theme::text()).mono());
     }
 }

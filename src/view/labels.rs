@@ -4,9 +4,7 @@
 use super::camera::Viewport;
 use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, Vec2, nearest_size, words_width};
 use crate::level::{Level, Objective, ObjectiveKind, SHIP_HALF};
-use crate::number::fixed;
-use crate::physics::Aabb;
-use crate::words::tr;
+use crate::{number::fixed, physics::Aabb, words::tr};
 
 /// From a thing to the words beside it, canvas units.
 const GAP: f32 = 4.0;
@@ -86,12 +84,10 @@ fn name(objective: &Objective) -> String {
     objective.order.map_or(name.to_owned(), |turn| format!("{turn}. {name}"))
 }
 
-/// The width of its sign.
 pub const fn sign(objective: &Objective) -> f32 {
     SIGN[(objective.hold <= 0.0) as usize]
 }
 
-/// The places above, below, right and left of an area, in the window.
 fn beside(area: &Area, size: Vec2, frame: &Frame) -> [Area; 4] {
     let out = (area.size + size) / 2.0 + GAP;
     let (low, high) = (size / 2.0 + GAP, frame.size - size / 2.0 - GAP);

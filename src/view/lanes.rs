@@ -3,9 +3,8 @@
 use super::{theme, widgets};
 use crate::draw::chart::{Sheet, WORDS, dashed, marker, stroke};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GRID, TEXT, Vec2};
-use crate::draw::svg::svg;
 use crate::draw::{Canvas, Colour, Style};
-use crate::words::tr;
+use crate::{draw::svg::svg, words::tr};
 
 /// About how many values to the right have numbers.
 const NAMED: usize = 8;
@@ -109,8 +108,7 @@ pub fn sheet(title: &str, foot: f32, draw: impl FnOnce(&Canvas, Area)) -> String
 fn drawn(title: &str, foot: f32, draw: impl FnOnce(&Canvas, Area)) -> Canvas {
     let canvas = Canvas::new(Frame { size: PAPER, ..Frame::default() });
     canvas.text(title, Vec2::new(2.0 * GRID, HEAD / 2.0), Style::new(BUTTON_TEXT, theme::text()).middle());
-    let inset = Area::new(GRID, HEAD, PAPER.x - 2.0 * GRID, PAPER.y - HEAD - GRID - foot);
-    draw(&canvas, inset);
+    draw(&canvas, Area::new(GRID, HEAD, PAPER.x - 2.0 * GRID, PAPER.y - HEAD - GRID - foot));
     canvas
 }
 

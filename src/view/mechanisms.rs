@@ -28,8 +28,7 @@ pub fn draw_fields(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
         let area = view.rect(&field.zone);
         canvas.rectangle(area, colour.faded(0.07));
         dashed_outline(canvas, area, colour.faded(0.6));
-        let pull = field.strength + DVec2::new(level.gravity_x, level.gravity);
-        let way = pull.normalize_or_zero();
+        let way = (field.strength + DVec2::new(level.gravity_x, level.gravity)).normalize_or_zero();
         let drift = way * ((time * 0.8).rem_euclid(1.0) * ARROW_STEP * 0.25);
         let shown = Aabb::new(field.zone.min.max(visible.min), field.zone.max.min(visible.max));
         for x in marks(shown.min.x, shown.max.x) {
@@ -71,8 +70,7 @@ pub fn worked_by(game: &Game, switch: usize) -> impl Iterator<Item = DVec2> {
 
 /// The middles of a grid's cells between two coordinates, m.
 fn marks(from: f64, to: f64) -> impl Iterator<Item = f64> {
-    let first = (from / ARROW_STEP).floor() as i64;
-    (first..=(to / ARROW_STEP).ceil() as i64).map(|i| (i as f64 + 0.5) * ARROW_STEP)
+    ((from / ARROW_STEP).floor() as i64..=(to / ARROW_STEP).ceil() as i64).map(|i| (i as f64 + 0.5) * ARROW_STEP)
 }
 
 /// Whether the lamp of a switch is lit: all of them are in a solved level.
@@ -146,8 +144,7 @@ fn draw_pod(area: Area, canvas: &Canvas, time: f64) {
     canvas.rounded_edge(area, round, 2.5, theme::accent());
     let (middle, size) = (area.centre(), area.size.x.min(area.size.y) * 0.24);
     canvas.disc(middle + Vec2::new(0.0, size * 0.35), size * 0.8, theme::accent());
-    let drop = [(0.0, -1.3), (0.72, 0.0), (-0.72, 0.0)].map(|(x, y)| middle + size * Vec2::new(x, y));
-    canvas.convex(&drop, theme::accent());
+    canvas.convex(&[(0.0, -1.3), (0.72, 0.0), (-0.72, 0.0)].map(|(x, y)| middle + size * Vec2::new(x, y)), theme::accent());
 }
 
 /// The solids that are no rock. `alpha` is the frame's place in the last tick. With a solved level's `answer` (0 … 1) doors open and belts run.
@@ -167,14 +164,12 @@ pub fn draw(game: &Game, alpha: f64, (view, canvas): (&Viewport, &Canvas), (time
             art::fill(canvas, Tile::Material(solid.material.name), &solid.bounds, view, theme::text().faded(0.8));
             draw_cracks(solid, area, canvas);
         }
-        let runs = answer > 0.0 || game.mechanisms().is_on(Worked::Belt(index));
-        draw_skin(solid, &solid.bounds, runs, (view, canvas), time);
+        draw_skin(solid, &solid.bounds, answer > 0.0 || game.mechanisms().is_on(Worked::Belt(index)), (view, canvas), time);
     }
     for (index, mover) in level.movers.iter().enumerate() {
         let surface = &game.world().surfaces()[level.surface_index(SurfaceOf::Mover(index))];
         let back = -surface.velocity * ((1.0 - alpha) / game.tick_rate());
-        let bounds = Aabb::new(surface.bounds.min + back, surface.bounds.max + back);
-        draw_mover(mover, &bounds, (view, canvas), time);
+        draw_mover(mover, &Aabb::new(surface.bounds.min + back, surface.bounds.max + back), (view, canvas), time);
     }
     for (index, door) in level.doors.iter().enumerate() {
         let surface = &game.world().surfaces()[level.surface_index(SurfaceOf::Door(index))];
@@ -234,8 +229,7 @@ fn draw_door(door: &Solid, open: f32, view: &Viewport, canvas: &Canvas) {
     };
     if open > 0.0 {
         dashed_outline(canvas, area, WORKS_EDGE.faded(0.55));
-        let stub = thin.min(long * 0.1);
-        let length = long * 0.5 + (stub - long * 0.5) * open;
+        let length = long * 0.5 + (thin.min(long * 0.1) - long * 0.5) * open;
         for leaf in [piece(0.0, length), piece(long - length, length)] {
             canvas.rectangle(leaf, WORKS);
             canvas.rectangle_edge(leaf, 1.5, WORKS_EDGE);
@@ -271,7 +265,6 @@ fn lamp(canvas: &Canvas, at: Vec2, colour: Colour, on: bool) {
     }
 }
 
-/// One thick solid side, and teeth that point in the open direction.
 fn draw_one_way(solid: &Solid, area: Area, canvas: &Canvas) {
     let (a, b) = (area.min, area.max());
     let colour = edge_of(solid.material);
@@ -294,15 +287,13 @@ fn draw_one_way(solid: &Solid, area: Area, canvas: &Canvas) {
     }
 }
 
-/// Chevrons along a belt's upper and lower side, a zigzag on a trampoline.
 fn draw_skin(solid: &Solid, bounds: &Aabb, runs: bool, (view, canvas): (&Viewport, &Canvas), time: f64) {
     if solid.belt != 0.0 {
         let drift = if runs { (time * solid.belt).rem_euclid(CHEVRON_STEP) } else { 0.0 };
         let colour = if runs { theme::text() } else { theme::quiet() };
         draw_chevrons(bounds, (bounds.min.y + CHEVRON * 0.75, drift, solid.belt.signum()), (view, canvas), colour.faded(0.75));
         if bounds.size().y > 4.0 * CHEVRON {
-            let back = (CHEVRON_STEP - drift).rem_euclid(CHEVRON_STEP);
-            let place = (bounds.max.y - CHEVRON * 0.75, back, -solid.belt.signum());
+            let place = (bounds.max.y - CHEVRON * 0.75, (CHEVRON_STEP - drift).rem_euclid(CHEVRON_STEP), -solid.belt.signum());
             draw_chevrons(bounds, place, (view, canvas), colour.faded(0.75));
         }
         let area = view.exact(bounds);
@@ -343,7 +334,6 @@ fn draw_chevrons(bounds: &Aabb, (y, drift, side): (f64, f64, f64), (view, canvas
     }
 }
 
-/// Cracks from the middle to the sides, the same in each frame.
 fn draw_cracks(solid: &Solid, area: Area, canvas: &Canvas) {
     const CRACKS: [[f32; 2]; 5] = [[0.05, 0.0], [0.95, 0.12], [1.0, 0.85], [0.3, 1.0], [0.0, 0.6]];
     let colour = Colour::hex(0x0A0D12);
@@ -359,13 +349,11 @@ fn draw_cracks(solid: &Solid, area: Area, canvas: &Canvas) {
 }
 
 pub fn debris(particles: &mut Particles, block: &Aabb) {
-    let count = (block.size().x * block.size().y * 14.0).clamp(12.0, 60.0) as usize;
-    for _ in 0..count {
+    for _ in 0..(block.size().x * block.size().y * 14.0).clamp(12.0, 60.0) as usize {
         let part = DVec2::new(particles.between(0.0, 1.0), particles.between(0.0, 1.0));
         let velocity = DVec2::new(particles.between(-3.0, 3.0), particles.between(-3.0, 1.0));
         let life = particles.between(0.4, 1.0);
-        let position = block.min + part * block.size();
-        particles.add(Particle::new(ParticleLook::Dust, theme::quiet(), (position, velocity), life));
+        particles.add(Particle::new(ParticleLook::Dust, theme::quiet(), (block.min + part * block.size(), velocity), life));
     }
 }
 

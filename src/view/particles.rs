@@ -19,7 +19,6 @@ const SPLAY: f64 = 0.6;
 const SPARK_WEIGHT: f64 = 3.0;
 const DUST_WEIGHT: f64 = 1.5;
 
-/// The look of a particle during its life.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ParticleLook {
     /// Orange fire that turns into white smoke.
@@ -193,7 +192,6 @@ pub struct Barriers {
 }
 
 impl Barriers {
-    /// The present surfaces of a world that touch a box.
     pub fn new(world: &World, within: &Aabb) -> Self {
         let width = within.size().x;
         let scale = if width > 0.0 { COLUMNS as f64 / width } else { 0.0 };
@@ -211,8 +209,7 @@ impl Barriers {
             return None;
         }
         let (first, last) = (self.column(from.x.min(to.x)), self.column(from.x.max(to.x)));
-        let boxes = self.columns[first..=last].iter().flatten();
-        let met = boxes.filter_map(|(bounds, sides)| meets(bounds, *sides, from, to));
+        let met = self.columns[first..=last].iter().flatten().filter_map(|(bounds, sides)| meets(bounds, *sides, from, to));
         let (part, axis) = met.min_by(|a, b| a.0.total_cmp(&b.0))?;
         let way = to - from;
         let mut at = from + way * part;

@@ -1,6 +1,5 @@
-//! Free-body arrows: colour, dash and head of each kind of force, and the drawing of arrows and labels.
-//! The length of arrows: a round number of newtons a square, for which the longest arrow of the shown bodies fits. It shrinks at once when an arrow
-//! would no longer fit or the view is zoomed, and grows back after a delay: arrows with an unsteady scale could not be compared.
+//! Free-body arrows: colour, dash and head of each kind of force. Their scale is a round number of newtons a square, for which the longest one fits:
+//! it shrinks at once when an arrow no longer fits or the view is zoomed, and grows back after a delay, for an unsteady one could not be compared.
 
 pub use super::facts::ArrowKind;
 use super::{facts::round_up, focus::Focus, theme};
@@ -55,17 +54,14 @@ impl Arrow {
         (self.to - self.from).length()
     }
 
-    /// The bounding box.
     pub fn area(&self) -> Area {
         let min = self.from.min(self.to) - 4.0;
         Area { min, size: self.from.max(self.to) + 4.0 - min }
     }
 
-    /// Distance of a point.
     pub fn distance(&self, point: Vec2) -> f32 {
         let way = self.to - self.from;
-        let part = ((point - self.from).dot(way) / way.length_squared().max(1.0)).clamp(0.0, 1.0);
-        point.distance(self.from + way * part)
+        point.distance(self.from + way * ((point - self.from).dot(way) / way.length_squared().max(1.0)).clamp(0.0, 1.0))
     }
 }
 
@@ -76,7 +72,6 @@ pub const fn head_length(shown: ArrowKind) -> Vec2 {
     Vec2::new(one * heads, one)
 }
 
-/// The colour of a force or impact.
 pub const fn colour(shown: ArrowKind) -> Colour {
     match shown {
         ArrowKind::Resultant => theme::RESULTANT,
@@ -120,8 +115,7 @@ fn draw_break(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
 }
 
 fn draw_arrow(canvas: &Canvas, arrow: &Arrow, alpha: f32) {
-    let resultant = arrow.shown == ArrowKind::Resultant;
-    let width = if resultant { RESULTANT_WIDTH } else { WIDTH };
+    let width = if arrow.shown == ArrowKind::Resultant { RESULTANT_WIDTH } else { WIDTH };
     let ((head, dash), colour) = (style(arrow.shown), colour(arrow.shown).faded(alpha));
     let along = (arrow.to - arrow.from).normalize_or_zero();
     let tip_length = head_length(arrow.shown).y.min(arrow.length());
@@ -180,10 +174,8 @@ fn draw_head(canvas: &Canvas, head: Head, tip: Vec2, along: Vec2, length: f32, w
     }
 }
 
-/// The place of an arrow's label.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Label {
-    /// Index of the arrow.
     pub arrow: usize,
     pub area: Area,
 }
@@ -195,8 +187,7 @@ pub fn draw_labels(arrows: &[Arrow], labels: &[Label], lit: impl Fn(&Arrow) -> b
         let arrow = &arrows[label.arrow];
         let seen = seen(lit(arrow), any);
         canvas.rounded(label.area, 3.0, theme::ground().faded(0.85 * seen));
-        let style = Style::new(DETAILS, colour(arrow.shown).faded(seen)).centred().middle();
-        canvas.text(tr(arrow.name()), label.area.centre(), style);
+        canvas.text(tr(arrow.name()), label.area.centre(), Style::new(DETAILS, colour(arrow.shown).faded(seen)).centred().middle());
     }
 }
 
@@ -242,8 +233,7 @@ impl Steady {
         [forces, impulses]: [&[Reach]; 2],
     ) -> ArrowScale {
         // A new focus or zoom takes effect at once.
-        let as_asked = |(asked, at): (Focus, f64)| asked == *focus && (at / ZOOMED..=at * ZOOMED).contains(&metre);
-        if !self.asked.is_some_and(as_asked) {
+        if !self.asked.is_some_and(|(asked, at): (Focus, f64)| asked == *focus && (at / ZOOMED..=at * ZOOMED).contains(&metre)) {
             *self = Self { asked: Some((*focus, metre)), ..Self::default() };
         }
         let patience = (PATIENCE * game.tick_rate()) as u64;
@@ -260,8 +250,7 @@ impl Steady {
     }
 }
 
-/// The usual force and impulse, N and N·s: for the followed bodies; where none is, for a ship that plays a part or, out of view,
-/// for the heaviest body in view. A weightless body has no usual force: its present one counts.
+/// The usual force and impulse, N and N·s: of the followed bodies, else of a ship in view, else of all; of a weightless body the present force.
 fn usual(game: &Game, focus: &Focus, shown: &[BodyId]) -> [f64; 2] {
     let level = game.level();
     let gravity = if level.gravity == 0.0 { STANDARD } else { level.gravity.abs() };

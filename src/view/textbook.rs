@@ -1,6 +1,5 @@
-//! The picture of a body's forces as in a textbook: the body alone, its forces from its middle, those of one direction side by side, with
-//! name and value at each tip; beside it their polygon, tip to tail, with the resultant. Impulses have a scale of their own and are no
-//! part of the polygon. [`lay_out`] is plain arithmetic.
+//! The picture of a body's forces as in a textbook: the body alone, its forces side by side by direction, with name and value at each tip; beside it
+//! their polygon with the resultant. Impulses have a scale of their own and are no part of it. [`lay_out`] is plain arithmetic.
 
 use super::facts::{ArrowKind, BodyFacts, NO_PART, Value, facts};
 use super::scale::{self, Arrow, ScaleStep};
@@ -8,9 +7,8 @@ use super::{theme, widgets};
 use crate::draw::layout::{self, Area, BUTTON_TEXT, Frame, GRID, LINE, PADDING, TEXT, Vec2, words_width};
 use crate::draw::{Canvas, Style};
 use crate::game::{Controls, Game};
-use crate::number::scalar;
 use crate::physics::{BodyId, DVec2};
-use crate::words::tr;
+use crate::{number::scalar, words::tr};
 use std::{borrow::Cow, f64::consts::TAU};
 
 /// Side of a square of the paper, and the longer half of the body, canvas units.
@@ -70,7 +68,6 @@ impl NamedArrow {
     }
 }
 
-/// Words at an arrow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
     pub lines: Vec<String>,
@@ -180,10 +177,8 @@ pub fn lay_out(
             let cut = |words: &String| layout::lines(words, share * parts[part].size.x, width);
             let named = cut(&lines[0]);
             let (names, lines) = (named.len(), named.into_iter().chain(lines[1..].iter().cloned()).collect::<Vec<String>>());
-            let widest = lines.iter().map(|words| width(words)).fold(0.0, f32::max);
-            let size = Vec2::new(widest + GRID, lines.len() as f32 * line);
-            let area = free_place(at, way, size, (&parts[part], &taken, &laid.arrows))?;
-            Some(Tag { lines, names, area, shown, at })
+            let size = Vec2::new(lines.iter().map(|words| width(words)).fold(0.0, f32::max) + GRID, lines.len() as f32 * line);
+            Some(Tag { lines, names, area: free_place(at, way, size, (&parts[part], &taken, &laid.arrows))?, shown, at })
         };
         // A name without room stands in several lines.
         if let Some(tag) = [1.0, 0.6, 0.4].iter().find_map(placed) {
@@ -203,8 +198,7 @@ fn aside(arrows: &[Arrow], from: Vec2, to: Vec2) -> Vec2 {
         far[0].max(far[1]) < APART - 1.0 && stretch[0].min(stretch[1]) < length - 1.0 && stretch[0].max(stretch[1]) > 1.0
     };
     let shifts = [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0].map(|step| step * APART);
-    let free = |by: &&f32| !arrows.iter().any(|other| lies_on(other, **by));
-    way.perp() * shifts.iter().find(free).copied().unwrap_or_default()
+    way.perp() * shifts.iter().find(|by: &&f32| !arrows.iter().any(|other| lies_on(other, **by))).copied().unwrap_or_default()
 }
 
 /// A place for words of that size beyond a point, beside it, or as near to it as there is one: on no other words, and if that can be on no arrow.
@@ -241,7 +235,6 @@ pub fn acting(game: &Game, id: BodyId) -> Cow<'_, Game> {
 /// Forces and their resultant, what a canvas unit is worth, and the height of a line.
 type LayoutInputs = (Vec<NamedArrow>, Option<NamedArrow>, [f64; 2], f32);
 
-/// The picture from frame to frame.
 #[derive(Default)]
 pub struct BodyPicture {
     of: Option<BodyId>,
@@ -283,8 +276,7 @@ impl BodyPicture {
         let has_forces = forces.iter().any(|force| !force.shown.is_impact());
         let asked = (forces, resultant, worth, line);
         if self.laid.as_ref() != Some(&asked) || parts != self.parts {
-            let named = (&asked.0[..], asked.1.as_ref());
-            self.layout = lay_out(named, &parts, worth, (line, &|words| words_width(words, text)));
+            self.layout = lay_out((&asked.0[..], asked.1.as_ref()), &parts, worth, (line, &|words| words_width(words, text)));
         }
         self.parts = parts;
         let half = body.half.as_vec2();
@@ -315,8 +307,7 @@ impl BodyPicture {
             widgets::fitted(canvas, head, above, part.size.x, &[BUTTON_TEXT, TEXT], theme::accent());
             let style = Style::new(TEXT, theme::text()).centred().middle();
             for (i, words) in widgets::lines(canvas, foot, part.size.x, style).iter().enumerate() {
-                let below = part.max().y + (0.6 + i as f32) * canvas.line_height(TEXT);
-                canvas.text(words, Vec2::new(part.centre().x, below), style);
+                canvas.text(words, Vec2::new(part.centre().x, part.max().y + (0.6 + i as f32) * canvas.line_height(TEXT)), style);
             }
         }
         let (half, round) = self.body;

@@ -1,9 +1,6 @@
 //! The palette: a physicist's notebook at night. Each colour has one meaning; sizes are in [`crate::draw::layout`].
 
-use crate::draw::Colour;
-use crate::instruments::chart;
-use crate::physics::ForceKind;
-use crate::settings::Palette;
+use crate::{draw::Colour, instruments::chart, physics::ForceKind, settings::Palette};
 use std::sync::atomic::{AtomicU8, Ordering};
 
 macro_rules! colours {
@@ -20,7 +17,6 @@ macro_rules! colours {
 }
 
 colours! {
-    /// The background.
     ground,
     panel,
     /// Buttons: they stand out from the ground and from panels.
@@ -32,9 +28,7 @@ colours! {
     grid_fine,
     /// Line of the graph paper every ten metres.
     grid_heavy,
-    /// Solids that never move.
     solid,
-    /// The top edge of solids.
     solid_top,
     text,
     /// Words of less weight.
@@ -128,7 +122,6 @@ pub fn is_light() -> bool {
     WORN.load(Ordering::Relaxed) == Palette::Projector as u8
 }
 
-/// The plate of a goal.
 pub fn plate() -> Colour {
     if is_plain() { colours().ground } else { PLATE }
 }
@@ -139,8 +132,7 @@ pub const RESULTANT: Colour = Colour::hex(chart::RESULTANT);
 pub const VELOCITY: Colour = Colour::hex(0x2EE6D6);
 pub const ACCELERATION: Colour = Colour::hex(0xFF8FB1);
 
-/// An impact. It differs from every force by at least 11 units of CIEDE2000, in normal sight and in the three common kinds of
-/// colour blindness (simulated after Machado, Oliveira and Fernandes, 2009).
+/// An impact: at least 11 units of CIEDE2000 from every force, in normal sight and in the three common kinds of colour blindness (as above).
 pub const IMPACT: Colour = Colour::hex(0xAE62FF);
 
 pub const fn force(kind: ForceKind) -> Colour {

@@ -1,5 +1,4 @@
-//! Objects and the ship with its flame: nothing that moves looks like the static world.
-//! Landings: the ship's legs give way under it, and a gentle one is praised.
+//! Objects and the ship with its flame: nothing that moves looks like the static world. Its legs give way under a landing; a gentle one is praised.
 //! The wreck of a lost ship: pieces that fly, fall and bounce by the engine's own laws, in a world of their own: the game does not change.
 
 use super::art::{self, Pictures, Tile};
@@ -113,8 +112,7 @@ pub fn draw_ship(ship: &ShipPose, (strength, way): (f64, f64), flicker: f64, vie
             // A deck cuts the flame off, and it spreads.
             let length = whole.min((ship.room - out).max(FLAME_LEAST));
             let spread = (whole / length).sqrt().min(FLAME_SPREAD);
-            let root = centre + right * side - nose * (out * way);
-            let middle = root - nose * (way * length * 0.5);
+            let middle = centre + right * side - nose * (out * way) - nose * (way * length * 0.5);
             let glow = Area::around(view.point(middle), Vec2::splat(view.length(2.2 * length)));
             art::draw(canvas, Tile::Glow, glow, 0.0, Colour::hex(0xFF9F1C).faded(0.35));
             let turn = if way > 0.0 { rotation } else { rotation + PI };
@@ -191,8 +189,7 @@ impl Touchdown {
     pub fn after_tick(&mut self, game: &Game) -> Option<(DVec2, f64)> {
         let flown = self.flown as f64 / game.tick_rate();
         let landing = landing(game.world().events()).filter(|_| flown >= FLOWN);
-        let touches = landing.is_some() || touches(game);
-        self.flown = if touches { 0 } else { self.flown + 1 };
+        self.flown = if landing.is_some() || touches(game) { 0 } else { self.flown + 1 };
         if let Some((_, speed)) = landing {
             self.last = Some((speed, 0.0));
         }
@@ -205,10 +202,7 @@ impl Touchdown {
 
     /// Compression of the ship as a part of its height, 0 … 0.14.
     pub fn squash(&self) -> f64 {
-        self.last.map_or(0.0, |(speed, age)| {
-            let t = age / SPRING;
-            DEPTH * (speed / FULL).min(1.0) * (PI * t.sqrt()).sin()
-        })
+        self.last.map_or(0.0, |(speed, age)| DEPTH * (speed / FULL).min(1.0) * (PI * (age / SPRING).sqrt()).sin())
     }
 }
 
@@ -259,8 +253,7 @@ impl Wreck {
     /// The pieces of a game's ship; `None` where there is no room for them.
     pub fn new(game: &Game, ship: BodyId) -> Option<Self> {
         let body = game.world().body(ship);
-        let world = World::new(definition(game.level(), body.position, body.velocity)).ok()?;
-        Some(Self { world, age: 0.0, left: 0.0 })
+        Some(Self { world: World::new(definition(game.level(), body.position, body.velocity)).ok()?, age: 0.0, left: 0.0 })
     }
 
     pub fn advance(&mut self, frame_time: f64) {
@@ -275,7 +268,6 @@ impl Wreck {
         }
     }
 
-    /// Whether the ship has not broken yet.
     pub fn is_whole(&self) -> bool {
         self.age < HIT_STOP
     }
@@ -302,8 +294,7 @@ fn colour(piece: u32) -> Colour {
 fn definition(level: &Level, centre: DVec2, velocity: DVec2) -> WorldDef {
     let cell = SHIP_HALF * 2.0 / f64::from(PIECES);
     let piece = |i: u32| {
-        let place = DVec2::new(f64::from(i % PIECES), f64::from(i / PIECES)) - 0.5 * f64::from(PIECES - 1);
-        let from_middle = place * cell;
+        let from_middle = (DVec2::new(f64::from(i % PIECES), f64::from(i / PIECES)) - 0.5 * f64::from(PIECES - 1)) * cell;
         BodyDef {
             position: centre + from_middle,
             // Each a little differently, so that the wreck has no symmetry.

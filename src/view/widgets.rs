@@ -44,8 +44,7 @@ pub fn keyed_button(canvas: &Canvas, area: Area, (label, key): (&str, &str), (ho
     let (key, beside) = if room_for_key && !key.is_empty() { (key, beside) } else { ("", 0.0) };
     let room = whole - beside;
     let fits = |size: &f32| canvas.width(label, Style::new(*size, theme::text())) <= room;
-    let size = [BUTTON_TEXT, TEXT, DETAILS].into_iter().find(fits).unwrap_or(DETAILS);
-    let style = Style::new(size, theme::text()).middle();
+    let style = Style::new([BUTTON_TEXT, TEXT, DETAILS].into_iter().find(fits).unwrap_or(DETAILS), theme::text()).middle();
     let words = cut(canvas, label, room, style);
     let (width, middle) = (canvas.width(&words, style), area.centre());
     let left = middle.x - (width + beside) / 2.0;
@@ -58,7 +57,6 @@ pub fn focus_ring(canvas: &Canvas, area: Area) {
     canvas.rounded_edge(area.inset(-RING_GAP), CORNER + RING_GAP, EDGE, theme::accent());
 }
 
-/// The selected row of a list.
 pub fn picked_row(canvas: &Canvas, area: Area) {
     canvas.rounded(area, 6.0, theme::panel_hover());
     canvas.rounded_edge(area, 6.0, EDGE, theme::accent());
@@ -86,8 +84,7 @@ pub fn cut(canvas: &Canvas, text: &str, widest: f32, style: Style) -> String {
     }
     let mut kept: Vec<char> = text.chars().collect();
     // Not letter by letter: a line may have thousands of them.
-    let narrowest = style.size * 0.2;
-    kept.truncate((widest / narrowest) as usize + 1);
+    kept.truncate((widest / (style.size * 0.2)) as usize + 1);
     loop {
         kept.pop();
         let shortened = kept.iter().collect::<String>() + "…";
@@ -97,7 +94,6 @@ pub fn cut(canvas: &Canvas, text: &str, widest: f32, style: Style) -> String {
     }
 }
 
-/// Words in lines that are at most `widest` wide.
 pub fn lines(canvas: &Canvas, words: &str, widest: f32, style: Style) -> Vec<String> {
     layout::lines(words, widest, |line| canvas.width(line, style))
 }

@@ -1,6 +1,5 @@
-//! The ground of the level, and its words; [`super::terrain`] draws the solids. Pictures and plain shapes without collision, in two layers: behind
-//! bodies and in front of them. A picture behind lies on rock as well as on air: below goals and hazards in the air, above the rock. The names of
-//! mechanisms, while the details are open. Links between bodies and places: a coil, a rope that hangs where it is slack, field lines.
+//! The ground of the level, its words, the names of its mechanisms and links; [`super::terrain`] draws the solids. Pictures lie behind bodies or in
+//! front of them; one behind lies on rock as well as on air: below goals and hazards in the air, above the rock.
 
 use super::terrain::{Terrain, parts};
 use super::{art::Pictures, camera::Viewport, mechanisms::movers, sky, theme, things::ellipse};
@@ -33,8 +32,7 @@ pub fn draw_ground(level: &Level, terrain: &Terrain, pictures: &Pictures, (view,
     let fine = view.scale >= FINEST_PAPER;
     for heavy in [false, true] {
         if heavy || fine {
-            let colour = (if heavy { tint.heavy } else { tint.fine }).faded(strength);
-            paper_lines(view, canvas, heavy, colour);
+            paper_lines(view, canvas, heavy, (if heavy { tint.heavy } else { tint.fine }).faded(strength));
         }
     }
 }
@@ -62,8 +60,7 @@ pub fn text_areas(level: &Level) -> Vec<Aabb> {
 }
 
 pub fn draw_decoration(level: &Level, in_front: bool, pictures: &Pictures, (view, canvas): (&Viewport, &Canvas)) {
-    let visible = view.visible();
-    for shown in level.decoration.iter().filter(|shown| shown.in_front == in_front && shown.bounds.touches(&visible, 0.0)) {
+    for shown in level.decoration.iter().filter(|shown| shown.in_front == in_front && shown.bounds.touches(&view.visible(), 0.0)) {
         let area = view.rect(&shown.bounds);
         // Calm and without an edge: the shape has no collision.
         let plain = theme::solid().faded(0.6);
@@ -77,8 +74,7 @@ pub fn draw_decoration(level: &Level, in_front: bool, pictures: &Pictures, (view
 
 /// Draws the parts of the layer behind that lie on rock.
 pub fn draw_on_rock(level: &Level, terrain: &Terrain, pictures: &Pictures, (view, canvas): (&Viewport, &Canvas)) {
-    let visible = view.visible();
-    for picture in level.decoration.iter().filter(|picture| !picture.in_front && picture.bounds.touches(&visible, 0.0)) {
+    for picture in level.decoration.iter().filter(|picture| !picture.in_front && picture.bounds.touches(&view.visible(), 0.0)) {
         // A plain shape is a mark on the air: rock hides it.
         let Look::Image(path) = &picture.look else { continue };
         let Some(image) = pictures.get(path) else { continue };

@@ -1,10 +1,9 @@
 //! Zones: objectives, death boxes, air streams and liquids.
 
 use super::art::{self, Tile};
-use super::camera::Viewport;
-use super::emitters::objective_colour;
 use super::labels::{self, LabelOf, LevelLabel};
 use super::theme::{self, HAZARD_EDGE, PLATE_FILL};
+use super::{camera::Viewport, emitters::objective_colour};
 use crate::draw::layout::{Area, DETAILS, Vec2, nearest_size};
 use crate::draw::{Canvas, Colour, Quads, Style};
 use crate::game::Game;
@@ -156,7 +155,6 @@ pub fn diamond(canvas: &Canvas, centre: Vec2, reach: f32, colour: Colour) {
     canvas.convex(&corners.map(|corner| centre + corner), colour);
 }
 
-/// Hatched, edged and glowing red.
 pub fn draw_obstacles(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
     let pulse = 0.5 + 0.5 * (time * 4.2).sin() as f32;
@@ -204,10 +202,8 @@ pub fn draw_streams(game: &Game, view: &Viewport, canvas: &Canvas, time: f64) {
     }
 }
 
-/// The streams' solid source blocks: a grille with an arrow along the wind.
 pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
-    let visible = view.visible();
-    for stream in level.streams.iter().filter(|stream| stream.source.touches(&visible, 0.0)) {
+    for stream in level.streams.iter().filter(|stream| stream.source.touches(&view.visible(), 0.0)) {
         let area = view.rect(&stream.source);
         canvas.rectangle(area, Colour::hex(0x55647C));
         canvas.rectangle_edge(area, 2.0, Colour::hex(0x8FA3BF));
@@ -226,8 +222,7 @@ pub fn draw_sources(level: &Level, view: &Viewport, canvas: &Canvas) {
     }
 }
 
-/// The liquids: a tint that thickens with the depth, bands of light, and a moving surface. They lie below everything in them, so
-/// that they never change the colour of a goal or a hazard; [`in_liquid`] tints bodies.
+/// The liquids. They lie below everything in them, so that they never change the colour of a goal or a hazard; [`in_liquid`] tints bodies.
 pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
     let visible = view.visible();
     for (index, fluid) in level.fluids.iter().enumerate().filter(|(_, fluid)| fluid.zone.touches(&visible, 0.5)) {
@@ -257,8 +252,7 @@ pub fn draw_fluids(level: &Level, view: &Viewport, canvas: &Canvas, time: f64) {
         // Under rock or another liquid the surface is flat; elsewhere it has waves.
         let open = open_surface(&level.fluids, &level.world, index);
         let ends = [fluid.zone.min.x].into_iter().chain(open.iter().map(|span| span.1));
-        let starts = open.iter().map(|span| span.0).chain([fluid.zone.max.x]);
-        for (from, to) in ends.zip(starts).filter(|(from, to)| from < to) {
+        for (from, to) in ends.zip(open.iter().map(|span| span.0).chain([fluid.zone.max.x])).filter(|(from, to)| from < to) {
             let lid = view.rect(&Aabb::new(DVec2::new(from, fluid.zone.min.y), DVec2::new(to, fluid.zone.max.y)));
             let (left, right) = (lid.min.x.max(area.min.x), lid.max().x.min(area.max().x));
             let (a, b) = (Vec2::new(left, all.min.y), Vec2::new(right, all.min.y + WAVE_HEIGHT));

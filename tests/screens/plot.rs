@@ -287,7 +287,7 @@ fn a_fall_fits_a_parabola_with_half_of_g_and_its_speed_a_line() {
     assert_eq!(plot(&sitting).fit(), None);
     fitted(&mut sitting, "none", "line");
     let parabola = fitted(&mut sitting, "line", "parabola");
-    assert!((parabola.factors()[2] + 9.81 / 2.0).abs() < 1e-9 && parabola.residual < 1e-10, "{parabola:?}");
+    assert!((parabola.c[2] + 9.81 / 2.0).abs() < 1e-9 && parabola.residual < 1e-10, "{parabola:?}");
     assert!(sitting.shows("y = −4.9050 m/s²·t²"), "the foot names its figures");
     sitting.click("Curve 2").rest();
     let tick = |seconds: f64| (seconds * 120.0) as u64;
@@ -298,7 +298,7 @@ fn a_fall_fits_a_parabola_with_half_of_g_and_its_speed_a_line() {
     }
     sitting.rest().click("Fit: parabola").click("Fit: sine");
     let line = fitted(&mut sitting, "none", "line");
-    assert!((line.factors()[1] + 9.81).abs() < 1e-9 && line.residual < 1e-12, "{line:?}");
+    assert!((line.c[1] + 9.81).abs() < 1e-9 && line.residual < 1e-12, "{line:?}");
     assert!((line.from - 0.2).abs() < 0.02 && (line.to - 0.6).abs() < 0.02, "{line:?}");
     sitting.click("SVG").rest();
     let picture = fs::read_to_string(written(&sitting)).unwrap();

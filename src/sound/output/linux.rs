@@ -1,9 +1,7 @@
-//! Output on Linux: the thread computes and writes block after block; the device holds it until there is room. Paces the samples by the clock. A
-//! device takes no more than fits its buffer; a file or null device takes samples as fast as the processor computes them. The sound libraries of a
-//! Linux system, found at run time: PulseAudio's simple interface (which PipeWire offers as well), else ALSA's. Without either, or without a device,
-//! there is silence. Its unsafe code rests on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and
-//! `alsa/asoundlib.h` (libasound 2), compatible since 2007 and 2004, as the names `.so.0` and `.so.2` promise; and a
-//! device is used by the one thread that opened it.
+//! Output on Linux, block after block, paced by the clock, for a file or null device takes samples as fast as they are computed. The libraries are
+//! found at run time: PulseAudio's simple interface (which PipeWire offers as well), else ALSA's; without them, or a device, there is silence.
+//! Its unsafe code rests on: the types below are those of `pulse/simple.h` (PulseAudio's API 12) and `alsa/asoundlib.h` (libasound 2), compatible
+//! since 2007 and 2004, as the names `.so.0` and `.so.2` promise; and a device is used by the one thread that opened it.
 #![allow(unsafe_code)]
 
 use super::Why;
@@ -89,7 +87,6 @@ const SAMPLE: usize = size_of::<f32>();
 /// A device that fails this often within one block counts as gone.
 const STUMBLES: usize = 8;
 
-/// The library in use.
 pub struct Libraries {
     pulse: Option<Pulse>,
     alsa: Option<Alsa>,
@@ -114,8 +111,7 @@ impl Device {
     /// The system's default device.
     pub fn open(libraries: &'static Libraries) -> Option<Self> {
         let pulse = || libraries.pulse.as_ref().and_then(|pulse| Some(Self::Pulse(pulse, pulse.open()?)));
-        let alsa = || libraries.alsa.as_ref().and_then(|alsa| Some(Self::Alsa(alsa, alsa.open()?)));
-        pulse().or_else(alsa)
+        pulse().or_else(|| libraries.alsa.as_ref().and_then(|alsa| Some(Self::Alsa(alsa, alsa.open()?))))
     }
 
     /// Writes samples, left and right by turns, and waits until the device has taken them; `false` when it is gone.
@@ -175,7 +171,6 @@ type PulseNew = unsafe extern "C" fn(
     *mut c_int,
 ) -> *mut c_void;
 
-/// PulseAudio's simple interface.
 pub struct Pulse {
     new: PulseNew,
     write: unsafe extern "C" fn(*mut c_void, *const c_void, usize, *mut c_int) -> c_int,
@@ -222,11 +217,9 @@ const ALSA_INTERLEAVED: c_int = 3;
 /// `SND_PCM_FORMAT_FLOAT`
 const ALSA_FLOAT: c_int = if cfg!(target_endian = "little") { 14 } else { 15 };
 
-/// `snd_local_error_handler_t`: file, line, function, number, text and a `va_list`, which every ABI of Linux passes as an argument
-/// that a function may leave unread.
+/// `snd_local_error_handler_t`: file, line, function, number, text, and a `va_list`, an argument in every ABI of Linux, which may stay unread.
 type ErrorHandler = unsafe extern "C" fn(*const c_char, c_int, *const c_char, c_int, *const c_char, *const c_void);
 
-/// ALSA's PCM interface.
 pub struct Alsa {
     open: unsafe extern "C" fn(*mut *mut c_void, *const c_char, c_int, c_int) -> c_int,
     nonblock: unsafe extern "C" fn(*mut c_void, c_int) -> c_int,

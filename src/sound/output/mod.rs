@@ -12,7 +12,6 @@ pub use player::Output;
 #[cfg(browser)]
 pub use crate::web::Output;
 
-/// The reason for which playing ends.
 #[cfg(any(target_os = "linux", windows, target_os = "macos"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Why {
@@ -20,7 +19,6 @@ enum Why {
     Over,
     /// There is no device now.
     NoDevice,
-    /// The device vanished.
     Lost,
 }
 

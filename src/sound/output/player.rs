@@ -4,9 +4,8 @@ use super::Why;
 #[cfg(target_os = "linux")]
 use super::linux::play;
 use crate::sound::Feed;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::{thread::JoinHandle, time::Duration};
+use std::{sync::Arc, thread::JoinHandle, time::Duration};
 
 /// The time to the first attempt to find a device again, and the longest.
 const RETRY: [Duration; 2] = [Duration::from_secs(4), Duration::from_secs(60)];

@@ -1,7 +1,5 @@
-//! The art: the game paints its own pictures onto one sheet, so that they go to the graphics card in one batch; beside it the pictures of a level's
-//! author (sprites, a background). The ship's picture: a compact lander, nose up, painted in unit coordinates (−1 … 1 across its 1.7 m box). All of
-//! it lies in the circle that touches the box from inside: the box does not turn with the ship, and nothing drawn may leave it at any angle. Small
-//! pictures that the canvas tints: soft discs and glows, the flame, the hatching of death boxes.
+//! The game paints its own pictures onto one sheet, so that they go to the graphics card in one batch; beside it the pictures of a level's author.
+//! The ship, a lander nose up, stays in the circle that touches its 1.7 m box from inside: the box does not turn with it, and nothing may leave it.
 
 mod paint;
 pub mod rock;
@@ -22,18 +20,14 @@ const GUTTER: usize = 2;
 /// Width and height of the ship, pixels: four times the size at which it is usually drawn.
 const SHIP: usize = 4 * SHIP_PIXELS as usize;
 
-/// A picture on the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tile {
-    /// The ship, nose up.
     Ship,
     /// The ship at half the size: filtering takes the mean of four pixels and no more, so that a ship drawn small needs it.
     SmallShip,
-    /// A disc with a soft edge.
     Disc,
     /// A light that falls off to its rim.
     Glow,
-    /// The engine's flame, its root at the top.
     Flame,
     /// Stripes of danger: a pattern that tiles.
     Hatching,
@@ -107,8 +101,7 @@ pub(super) fn place(tile: Tile) -> Area {
 /// Draws a picture over an area, turned clockwise around its middle by `turn` radians, its colours multiplied by `tint`.
 pub fn draw(canvas: &Canvas, tile: Tile, area: Area, turn: f32, tint: Colour) {
     let small = tile == Tile::Ship && area.size.x * 1.5 <= (SHIP / 2) as f32;
-    let part = place(if small { Tile::SmallShip } else { tile });
-    canvas.picture(&Image::Sheet, part, area, (turn, tint));
+    canvas.picture(&Image::Sheet, place(if small { Tile::SmallShip } else { tile }), area, (turn, tint));
 }
 
 /// Fills a box of the level with a pattern that lies fixed in the level: boxes that adjoin show no seam.
@@ -128,7 +121,6 @@ pub fn halo(canvas: &Canvas, around: Area, reach: f32, tint: Colour) {
     const BANDS: u32 = 4;
     const STEPS: u32 = 3;
     let (middles, quarter) = (around.corners(), std::f32::consts::FRAC_PI_2);
-    // The sides and corners in order round, each by a point of the box and the way out of it.
     let outline: Vec<(Vec2, Vec2)> = (0..4_u8)
         .flat_map(|corner| {
             let from = quarter * (f32::from(corner) + 2.0);
@@ -155,13 +147,11 @@ pub fn icon(side: usize) -> Vec<u8> {
     ship(2 * side).halved().bytes
 }
 
-/// The pictures of a level, from bytes, by path.
 #[derive(Default)]
 pub struct Pictures(BTreeMap<PathBuf, Image>);
 
 impl Pictures {
-    /// Asks `read` for the bytes of each picture that the level names. A picture that cannot be read is left out: the loader has
-    /// checked all of them, and a file that vanished since is no reason to stop the game.
+    /// A picture that `read` cannot read is left out: the loader has checked all, and a file that vanished since is no reason to stop the game.
     pub fn new(level: &Level, read: &dyn Fn(&Path) -> Option<Vec<u8>>) -> Self {
         let paths = level.pictures().chain(&level.background);
         Self(paths.filter_map(|path| Some((path.clone(), Image::File(read(path)?.into())))).collect())
@@ -175,8 +165,7 @@ impl Pictures {
 /// Cuts a box at the lines where a pattern begins again.
 fn pieces(bounds: &Aabb) -> Vec<Aabb> {
     let cuts = |from: f64, to: f64| {
-        let first = (from / TILE_METRES).floor() as i64 + 1;
-        let inner = (first..).map(|i| i as f64 * TILE_METRES).take_while(move |cut| *cut < to);
+        let inner = ((from / TILE_METRES).floor() as i64 + 1..).map(|i| i as f64 * TILE_METRES).take_while(move |cut| *cut < to);
         std::iter::once(from).chain(inner).chain([to]).collect::<Vec<f64>>()
     };
     if bounds.size().min_element() <= 0.0 {
@@ -207,7 +196,6 @@ pub fn ship(size: usize) -> Painting {
     // Fins: they give the tail its width and tell it from the nose.
     p.fill(|x, y| fin(x.abs(), y, 0.0), |_, _| OUTLINE);
     p.fill(|x, y| fin(x.abs(), y, RIM), |x, _| if x > 0.0 { [0xE0, 0x86, 0x10] } else { TRIM });
-    // The nozzle, wider at its mouth.
     p.fill(|x, y| nozzle(x, y, 0.0), |_, _| OUTLINE);
     p.fill(|x, y| nozzle(x, y, RIM), |x, _| mix([0x8A, 0x97, 0xAD], BELLY_SHADE, x * 2.0 + 0.5));
     // The hull: belly below the waist, shell above, a trim band between, an orange tip on the nose.
@@ -229,8 +217,7 @@ fn round(x: f32, y: f32, radius: f32) -> bool {
 
 /// An egg with its narrow end up, from the tip of the nose to above the nozzle.
 fn hull(x: f32, y: f32, inset: f32) -> bool {
-    let upper = y < 0.16;
-    let (height, power, blunt) = if upper { (1.13 - inset * 1.6, 2.2, 0.64) } else { (0.66 - inset, 2.6, 0.5) };
+    let (height, power, blunt) = if y < 0.16 { (1.13 - inset * 1.6, 2.2, 0.64) } else { (0.66 - inset, 2.6, 0.5) };
     let along = (y - 0.16).abs() / height;
     along < 1.0 && x.abs() < (0.76 - inset) * (1.0 - along.powf(power)).powf(blunt)
 }
@@ -274,7 +261,6 @@ pub fn flame(width: usize, height: usize) -> Painting {
     })
 }
 
-/// Slanting red stripes with dark ones between; tiles.
 pub fn hatching(size: usize) -> Painting {
     Painting::of(size, size, |x, y| {
         let period = size / 8;

@@ -42,8 +42,7 @@ impl Painting {
                     .count();
                 if covered > 0 {
                     let cover = covered as f32 / (SAMPLES * SAMPLES) as f32;
-                    let colour = colour(place(x, 0.5, self.width), place(y, 0.5, height));
-                    self.put(x, y, over(self.at(x, y), colour, cover));
+                    self.put(x, y, over(self.at(x, y), colour(place(x, 0.5, self.width), place(y, 0.5, height)), cover));
                 }
             }
         }
@@ -122,7 +121,6 @@ fn light(colour: Rgb, by: f32) -> Rgb {
     colour.map(|c| c + by)
 }
 
-/// Speckles of three sizes, light and dark.
 fn asphalt() -> Painting {
     painted(|x, y| {
         let speckle = |cell: usize, seed: u32, share: f32, by: f32| {
@@ -136,7 +134,6 @@ fn asphalt() -> Painting {
     })
 }
 
-/// Brushed along, in plates of two metres with a rivet in each corner.
 fn steel() -> Painting {
     painted(|x, y| {
         let plate = SIZE / 2;
@@ -158,7 +155,6 @@ fn steel() -> Painting {
     })
 }
 
-/// Pale, with slanting glints.
 fn ice() -> Painting {
     painted(|x, y| {
         let slant = (x + SIZE - y) % SIZE;
@@ -167,30 +163,24 @@ fn ice() -> Painting {
             9..=10 => 22.0,
             _ => 0.0,
         } * if noise(slant / 64, (x + y) % SIZE / 48, 21) > 0.45 { 1.0 } else { 0.0 };
-        let cloud = (noise(x / 16, y / 16, 22) - 0.5) * 6.0;
-        light([128.0, 163.0, 188.0], cloud + glint)
+        light([128.0, 163.0, 188.0], (noise(x / 16, y / 16, 22) - 0.5) * 6.0 + glint)
     })
 }
 
-/// Dark, with chevrons.
 fn rubber() -> Painting {
     painted(|x, y| {
-        let fold = (x % 48).abs_diff(24);
-        let chevron = if (y + 48 - fold) % 24 < 8 { 15.0 } else { 0.0 };
+        let chevron = if (y + 48 - (x % 48).abs_diff(24)) % 24 < 8 { 15.0 } else { 0.0 };
         light([34.0, 38.0, 47.0], chevron + (noise(x, y, 31) - 0.5) * 3.0)
     })
 }
 
-/// A warm mat with a zigzag of springs.
 fn trampoline() -> Painting {
     painted(|x, y| {
-        let fold = (x % 32).abs_diff(16);
-        let spring = if (y + 32 - fold) % 32 < 5 { 46.0 } else { 0.0 };
+        let spring = if (y + 32 - (x % 32).abs_diff(16)) % 32 < 5 { 46.0 } else { 0.0 };
         light([92.0, 58.0, 84.0], spring + (noise(x / 2, y / 2, 51) - 0.5) * 5.0)
     })
 }
 
-/// Planks half a metre high with grain along them, their joints staggered.
 fn wood() -> Painting {
     painted(|x, y| {
         let plank = y / 24;

@@ -67,11 +67,9 @@ fn course(x: f32, y: f32, rows: usize, across: f32) -> ([f32; 4], f32) {
     let along = (x + if row % 2 == 1 { across / 2.0 } else { 0.0 }).rem_euclid(1.0) / across;
     let metres = FACE_METRES as f32;
     let (left, top) = (along.fract() * across * metres, (y * rows as f32).fract() / rows as f32 * metres);
-    let edges = [left, top, across * metres - left, metres / rows as f32 - top];
-    (edges, noise(along as usize, row, 60 + rows as u32))
+    ([left, top, across * metres - left, metres / rows as f32 - top], noise(along as usize, row, 60 + rows as u32))
 }
 
-/// Plates with seams, bolts and streaks that run down.
 fn panels(x: f32, y: f32) -> f32 {
     let (edges, own) = course(x, y, 8, 0.25);
     let seam = edges.into_iter().fold(1.0_f32, f32::min);
@@ -82,7 +80,6 @@ fn panels(x: f32, y: f32) -> f32 {
         - if bolt { 0.22 } else { 0.0 }
 }
 
-/// Layers that were laid down level and bent since, with cracks across.
 fn strata(x: f32, y: f32) -> f32 {
     let bent = y + 0.035 * cloudy(x, y, 3, 64) + 0.012 * field(x, y, 8, 65);
     let layer = bent.rem_euclid(1.0) * 16.0;
@@ -95,7 +92,6 @@ fn strata(x: f32, y: f32) -> f32 {
         + 0.10 * (1.0 - (inside - 0.14).abs() / 0.08).max(0.0)
 }
 
-/// Dressed stones a metre high, lit from above on the left.
 fn ashlar(x: f32, y: f32) -> f32 {
     let (edges, own) = course(x, y, 16, 0.125);
     let near = |edge: f32| (1.0 - edge / 0.13).max(0.0);
@@ -126,7 +122,6 @@ fn stones(x: f32, y: f32, cells: usize, seed: u32) -> (f32, [f32; 2], f32) {
     ((second - first.0) / 2.0, first.1, first.2)
 }
 
-/// Boulders with dark gaps, each lit from above.
 fn boulders(x: f32, y: f32) -> f32 {
     let (gap, way, own) = stones(x + 0.01 * cloudy(x, y, 8, 70), y + 0.01 * cloudy(y, x, 8, 71), 11, 72);
     let round = smooth(gap / 0.28);
@@ -134,15 +129,13 @@ fn boulders(x: f32, y: f32) -> f32 {
     0.58 + own * 0.14 + 0.20 * round + 0.34 * slope + cloudy(x, y, 16, 73) * 0.20 - 0.35 * (1.0 - gap / 0.05).max(0.0)
 }
 
-/// Dust with craters of three sizes, lit from above on the left.
 fn craters(x: f32, y: f32) -> f32 {
     let dent = |cells: usize, seed: u32, deep: f32| {
         let (_, way, own) = stones(x, y, cells, seed);
         let reach = 0.16 + 0.26 * own;
         let (out, facing) = (way[0].hypot(way[1]) / reach, (way[0] + way[1]) / (way[0].hypot(way[1]) + 1e-3) * 0.7);
         let bowl = smooth(out) * (1.0 - smooth((out - 0.85) * 6.0));
-        let wall = (1.0 - (out - 1.08).abs() / 0.14).max(0.0);
-        deep * (facing * bowl * 0.9 - facing * wall * 0.6 - 0.25 * (1.0 - smooth(out * 1.1)))
+        deep * (facing * bowl * 0.9 - facing * (1.0 - (out - 1.08).abs() / 0.14).max(0.0) * 0.6 - 0.25 * (1.0 - smooth(out * 1.1)))
     };
     0.74 + cloudy(x, y, 5, 74) * 0.26 + cloudy(x, y, 40, 75) * 0.10 + dent(4, 76, 0.30) + dent(9, 79, 0.24) + dent(21, 82, 0.16)
 }
@@ -160,15 +153,13 @@ fn earth([x, y]: [f32; 2]) -> [f32; 4] {
     let air = [0.36, 0.60, 0.86];
     if out >= 1.0 {
         let day = smooth((x * SUN[0] + y * SUN[1]) / out * 0.9 + 0.35);
-        let fall = ((AIR - out) / (AIR - 1.0)).max(0.0);
-        return [air[0], air[1], air[2], 0.50 * day * fall.powi(4)];
+        return [air[0], air[1], air[2], 0.50 * day * ((AIR - out) / (AIR - 1.0)).max(0.0).powi(4)];
     }
     let z = (1.0 - out * out).sqrt();
     let day = x * SUN[0] + y * SUN[1] + z * SUN[2];
     // Flattened onto a square that turns with the sphere's limb.
     let (u, v) = ((x / (0.35 + z)).atan() / 3.0 + 0.43, (y / (0.35 + z)).atan() / 3.0 + 0.37);
-    let height = cloudy(u, v, 3, 90) + 0.25 * field(u, v, 48, 94);
-    let land = smooth((height - 0.10) * 16.0);
+    let land = smooth((cloudy(u, v, 3, 90) + 0.25 * field(u, v, 48, 94) - 0.10) * 16.0);
     let ground = mix([0.16, 0.21, 0.13], [0.33, 0.25, 0.15], cloudy(u, v, 10, 95) + 0.5);
     let surface = mix([0.028, 0.10, 0.20], ground, land);
     let torn = cloudy(u + 0.16 * cloudy(u, v, 4, 99), v * 2.2, 5, 101) + 0.35 * cloudy(u, v * 2.2, 22, 105);

@@ -4,12 +4,10 @@
 use super::{Details, Looking, PADDING, PlacedBox};
 use crate::draw::layout::{Area, CORNER, DETAILS, Frame, LINE, MONO_ADVANCE, Vec2, wrapped};
 use crate::draw::{Canvas, Colour, Style};
-use crate::game::Game;
-use crate::number::scalar;
 use crate::view::boxes::{self, BoxWish};
 use crate::view::scale::{self, Arrow, ArrowScale};
 use crate::view::{theme, world};
-use crate::words::tr;
+use crate::{game::Game, number::scalar, words::tr};
 
 impl Details {
     pub fn draw(&self, canvas: &Canvas) {
@@ -73,7 +71,6 @@ const LEGEND_WIDTH: usize = 46;
 /// Further lines of a note stand below the first one's words, behind the dot.
 const LEGEND_INDENT: usize = 2;
 
-/// A few lines in a panel of their own.
 #[derive(Clone, Debug, Default)]
 pub struct LegendNote {
     pub lines: Vec<String>,
@@ -82,7 +79,6 @@ pub struct LegendNote {
 }
 
 impl LegendNote {
-    /// The room that the lines need.
     pub(super) fn size(lines: &[String], frame: &Frame) -> Vec2 {
         let text = frame.text_height(DETAILS);
         let longest = lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);

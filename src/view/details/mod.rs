@@ -1,22 +1,19 @@
-//! The details overlay: a box for each body in view, tied to it by a thin line, the free-body arrows with their labels, and a
-//! legend with the arrows' scale. The pointer lights a line and its partner of the third law. This file lays out; `drawing` draws.
-//! The text of a box, letter by letter: the drawing shows it, and the tests read it.
+//! The details overlay: a box for each body in view, tied to it by a thin line, free-body arrows with labels, and a legend. The pointer lights a line
+//! and its partner of the third law. This file lays out; `drawing` draws. A box's text is kept letter by letter: the drawing shows it, tests read it.
 
 mod drawing;
 
 use super::boxes::{self, BoxWish};
-use super::camera::Viewport;
 use super::facts::{ArrowKind, BodyFacts, FactRow, Value, facts, quantities};
 use super::focus::{Focus, answer, partner};
 use super::free_body::{ArrowLayout, ArrowSubject, Ground, head_area, place_labels, reaches};
 use super::hud::{HudLayout, landmarks, velocity_tip};
 use super::scale::{Label, Steady};
-use super::{mechanisms, world};
+use super::{camera::Viewport, mechanisms, world};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, Vec2};
 use crate::game::{Game, SHIP};
-use crate::level::Text;
 use crate::physics::{Aabb, BodyId, DVec2, Source};
-use crate::words::tr;
+use crate::{level::Text, words::tr};
 pub use drawing::LegendNote;
 
 /// Inside a box's edge, canvas units: above and below less than in a panel, for boxes can be many.
@@ -30,7 +27,6 @@ const NEAR: f32 = 7.0;
 /// Room below and beside the pointer for the note on its line, canvas units.
 const POINTER: f32 = 20.0;
 
-/// The view that the overlay explains.
 #[derive(Clone, Copy, Debug)]
 pub struct Looking<'a> {
     /// Drawn centres of the bodies, m.
@@ -48,7 +44,6 @@ pub struct Looking<'a> {
 pub struct PlacedBox {
     pub text: BoxText,
     pub area: Area,
-    /// The middle of its object.
     object: Vec2,
 }
 
@@ -56,8 +51,7 @@ impl PlacedBox {
     /// The place of a line, from the box's left edge to its right one.
     pub fn line(&self, line: usize) -> Area {
         let height = (self.area.size.y - 2.0 * PADDING.y) / (self.text.lines.len() + 1) as f32;
-        let top = self.area.min.y + PADDING.y + (line + 1) as f32 * height;
-        Area::new(self.area.min.x, top, self.area.size.x, height)
+        Area::new(self.area.min.x, self.area.min.y + PADDING.y + (line + 1) as f32 * height, self.area.size.x, height)
     }
 }
 
@@ -74,11 +68,9 @@ pub struct Details {
     /// The lit lines: the body, and the index among its full facts.
     pub lit: Vec<(BodyId, usize)>,
     lit_places: Vec<Area>,
-    /// The number of bodies in view without a box.
     pub left_out: usize,
     /// The offset of each body's box from its middle in the frame before: the box stays there.
     before: Vec<Option<Vec2>>,
-    /// The number of full boxes.
     full: Option<usize>,
     scale: Steady,
     /// The followed body, and the bodies that exert a force on it, or did so last.
@@ -167,8 +159,7 @@ impl Details {
         let seen = landmarks(game.level()).chain([bounds(game, looking, SHIP)]);
         let ship = (game.world().body(SHIP).velocity, looking.centres[SHIP.index()]);
         let tip = if looking.velocity { velocity_tip(ship.0, ship.1, view) } else { None };
-        let areas = seen.map(|bounds| view.exact(&bounds).inset(-CLEAR)).chain(tip);
-        areas.filter(|area| area.gap(&frame.area()) < 0.0).collect()
+        seen.map(|bounds| view.exact(&bounds).inset(-CLEAR)).chain(tip).filter(|area| area.gap(&frame.area()) < 0.0).collect()
     }
 
     /// The line under the pointer in the frame before: in a box or by its arrow.
@@ -218,9 +209,8 @@ impl Details {
         (away, partner.places)
     }
 
-    /// The boxes and their places: as many full ones as fit, for the first bodies, and short ones for the rest. The search begins
-    /// at the number of full ones of the frame before, for it seldom changes. The first body always has one, if need be in the place of
-    /// the legend, beside what is `firm`.
+    /// As many full boxes as fit, for the first bodies, and short ones; the search begins at the last number, for it seldom changes.
+    /// The first body always has one, if need be in the place of the legend, beside what is `firm`.
     fn place_boxes(&mut self, subjects: &[ArrowSubject], frame: &Frame, (taken, firm): (&[Area], &[Area]), kept_clear: &[Area]) {
         let texts: Vec<_> = subjects.iter().map(|subject| [false, true].map(|short| BoxText::new(&subject.facts, short))).collect();
         let sizes: Vec<[Vec2; 2]> = texts.iter().map(|texts| [0, 1].map(|short| texts[short].size(frame))).collect();
@@ -230,8 +220,7 @@ impl Details {
                 size: sizes[i][usize::from(i >= full)],
                 before: self.before[subject.facts.body.index()],
             };
-            let wishes: Vec<BoxWish> = subjects.iter().enumerate().map(wish).collect();
-            boxes::place(&wishes, frame.area(), taken, kept_clear)
+            boxes::place(&subjects.iter().enumerate().map(wish).collect::<Vec<_>>(), frame.area(), taken, kept_clear)
         };
         let fits = |places: &[Option<Area>]| places.iter().all(Option::is_some);
         let mut full = self.full.unwrap_or(subjects.len()).clamp(1, subjects.len().max(1));
@@ -329,8 +318,7 @@ impl BoxText {
             row,
         };
         let kept = |row: &(usize, &FactRow)| !short || row.1.shown == Some(ArrowKind::Resultant);
-        let lines = facts.rows.iter().enumerate().filter(kept).map(line).collect();
-        Self { body: facts.body, title: facts.title.clone(), lines }
+        Self { body: facts.body, title: facts.title.clone(), lines: facts.rows.iter().enumerate().filter(kept).map(line).collect() }
     }
 
     /// The column at which the numbers begin, characters from the names.
@@ -345,7 +333,6 @@ impl BoxText {
         let usual = 2 * NUMBER_WIDTH + 5 + UNIT_WIDTH;
         let values = self.lines.iter().map(|line| line.value.trim_end().chars().count()).fold(usual, usize::max);
         let characters = (self.column() + values).max(self.title.chars().count());
-        let lines = self.lines.len() + 1;
-        Vec2::new(characters as f32 * MONO_ADVANCE * text, lines as f32 * text * LINE) + 2.0 * PADDING
+        Vec2::new(characters as f32 * MONO_ADVANCE * text, (self.lines.len() + 1) as f32 * text * LINE) + 2.0 * PADDING
     }
 }

@@ -70,8 +70,7 @@ impl GameView {
         if overlays.details {
             self.details.draw(canvas);
         }
-        let plays = game.level().ship_plays();
-        if plays && overlays.settings.velocity && self.wreck.is_none() {
+        if game.level().ship_plays() && overlays.settings.velocity && self.wreck.is_none() {
             hud::draw_velocity(game.world().body(SHIP).velocity, drawn_centre(game, SHIP, alpha), &view, canvas);
         }
         if overlays.shown.fuel && self.wreck.is_none() {
@@ -84,13 +83,11 @@ impl GameView {
         canvas.end_layer();
     }
 
-    /// The rooms as large as they fit, at the start.
     fn draw_rooms(&self, game: &Game, canvas: &Canvas) {
         let (level, frame) = (game.level(), canvas.frame());
         let rooms = self.terrain.rooms().unwrap_or(level.bounds());
         let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
-        let view = Viewport::of(&Aabb::new(rooms.min - ROUND, rooms.max + ROUND), level.size, window);
-        self.draw_level(game, 1.0, &view, canvas);
+        self.draw_level(game, 1.0, &Viewport::of(&Aabb::new(rooms.min - ROUND, rooms.max + ROUND), level.size, window), canvas);
     }
 
     fn draw_level(&self, game: &Game, alpha: f64, view: &Viewport, canvas: &Canvas) {
@@ -165,8 +162,7 @@ impl GameView {
         let light = zones::in_liquid(&level.fluids, &Aabb::around(centre, SHIP_HALF));
         let (sin, cos) = angle.to_radians().sin_cos();
         let room = self.particles.barriers.room(centre, DVec2::new(-sin, cos) * plume.1, FLAME_REACH);
-        let pose = ShipPose { centre, angle, squash: self.touchdown.squash(), light, room };
-        things::draw_ship(&pose, plume, flicker, view, canvas);
+        things::draw_ship(&ShipPose { centre, angle, squash: self.touchdown.squash(), light, room }, plume, flicker, view, canvas);
     }
 
     /// The light of objectives, death boxes, key objects and the engine on the rock near them.

@@ -2,25 +2,18 @@
 
 mod drawing;
 
-use super::art::Pictures;
 use super::camera::{Camera, CanvasWindow, FIT_LEAST, FIT_MARGIN, StirredObjects, Viewport};
 use super::details::{Details, Looking};
 use super::emitters::{Emitters, dust, objective_colour};
-use super::feedback::Feedback;
-use super::focus::Focus;
 use super::hud::{Hud, HudLayout, HudPart, HudScene, HudShown};
 use super::particles::{Barriers, Particle, ParticleLook, Particles};
-use super::terrain::Terrain;
-use super::textbook::BodyPicture;
 use super::things::{GENTLE, Touchdown, Wreck};
+use super::{art::Pictures, feedback::Feedback, focus::Focus, terrain::Terrain, textbook::BodyPicture};
 use super::{hitboxes, mechanisms, theme, world};
 use crate::draw::layout::{Area, Frame, LINE, Vec2, words_width};
 use crate::game::{Game, GameEvent, GhostPose, Outcome, SHIP};
-use crate::level::Text;
-use crate::number::fixed;
 use crate::physics::{Aabb, BodyId, DVec2, ForceKind};
-use crate::settings::Settings;
-use crate::words::tr;
+use crate::{level::Text, number::fixed, settings::Settings, words::tr};
 pub use drawing::painting;
 use drawing::{OBJECTIVE_REACH, OBSTACLE_REACH};
 use std::path::Path;
@@ -38,7 +31,6 @@ const ARROWS: usize = 30;
 /// Solids up to this far beyond the view stop particles, m.
 const BARRIERS: f64 = 2.0;
 
-/// The view of one attempt: its state besides the game's own.
 pub struct GameView {
     pictures: Pictures,
     terrain: Terrain,
@@ -141,8 +133,7 @@ impl GameView {
                 GameEvent::DamagingHit { point, .. } => self.feedback.hit(*point),
                 GameEvent::Crushed { point } => self.feedback.ring(*point, theme::bad()),
                 GameEvent::ObjectiveMet(index) => {
-                    let centre = game.level().objectives[*index].bounds.centre();
-                    self.feedback.ring(centre, objective_colour(game, *index));
+                    self.feedback.ring(game.level().objectives[*index].bounds.centre(), objective_colour(game, *index));
                 }
                 GameEvent::Completed => {
                     let ship = game.world().body(SHIP).position;
@@ -189,8 +180,7 @@ impl GameView {
 
     /// The level is solved: arrows of all forces fly from its goals, and light runs along every wire.
     fn answer_to_the_end(&mut self, game: &Game) {
-        let goals = &game.level().objectives;
-        for (index, goal) in (0..ARROWS).zip(goals.iter().cycle()) {
+        for (index, goal) in (0..ARROWS).zip(game.level().objectives.iter().cycle()) {
             let kind = ForceKind::ALL[index % ForceKind::ALL.len()];
             let way = DVec2::from_angle(-std::f64::consts::PI * self.particles.between(0.05, 0.95));
             let motion = (goal.bounds.centre(), way * self.particles.between(5.0, 12.0));
@@ -198,8 +188,7 @@ impl GameView {
             self.particles.add(Particle::new(ParticleLook::Arrow, theme::force(kind), motion, life));
         }
         for (index, switch) in game.level().switches.iter().enumerate() {
-            let from = switch.bounds.centre();
-            mechanisms::worked_by(game, index).for_each(|worked| self.feedback.run(from, worked));
+            mechanisms::worked_by(game, index).for_each(|worked| self.feedback.run(switch.bounds.centre(), worked));
         }
     }
 
@@ -230,8 +219,7 @@ impl GameView {
         let figures = overlays.hitboxes.then(|| hitboxes::figures_area(game, frame));
         let mut covered: Vec<Area> = self.panels.iter().copied().chain(figures).collect();
         let (shown, settings) = (overlays.shown, &overlays.settings);
-        let scene = HudScene { game, centres: &centres, view: &view, frame, panels: &covered, shown, settings };
-        self.hud.update(&scene, frame_time);
+        self.hud.update(&HudScene { game, centres: &centres, view: &view, frame, panels: &covered, shown, settings }, frame_time);
         if overlays.picture {
             let room = beside(&covered, shown.status.then(|| HudLayout::shown(frame, game)).into_iter().flatten(), frame);
             self.picture.arrange(game, followed, room, frame);
@@ -274,8 +262,7 @@ impl GameView {
 
     /// Turns the camera to the whole level, to everything that moves, or to the ship and what it has set in motion.
     fn turn_camera(&mut self, game: &Game, alpha: f64, overlays: &Overlays, frame: &Frame, frame_time: f64) {
-        let level = game.level();
-        let room = frame.size.as_dvec2() / level.metre * FRAMED;
+        let room = frame.size.as_dvec2() / game.level().metre * FRAMED;
         let stirred = || self.stirred.framed(game, room, |id| drawn_centre(game, id, alpha));
         let (fit, zoom) = match () {
             () if overlays.map => (self.rooms, 1.0),
@@ -295,8 +282,7 @@ impl GameView {
     pub fn viewport(&self, game: &Game, alpha: f64, frame: &Frame) -> Viewport {
         let window = CanvasWindow { size: frame.size.as_dvec2(), pixel: f64::from(frame.pixel) };
         let level = game.level();
-        let kept = drawn_centre(game, self.followed, alpha);
-        self.camera.viewport(kept, level.size, level.metre, window)
+        self.camera.viewport(drawn_centre(game, self.followed, alpha), level.size, level.metre, window)
     }
 }
 
@@ -349,6 +335,5 @@ pub fn drawn_centre(game: &Game, id: BodyId, alpha: f64) -> DVec2 {
 /// The drawn angle of the ship, degrees: between its last two angles, the short way round.
 fn angle(game: &Game, alpha: f64) -> f64 {
     let ship = game.ship();
-    let turn = (ship.angle - ship.previous_angle + 180.0).rem_euclid(360.0) - 180.0;
-    ship.previous_angle + turn * alpha
+    ship.previous_angle + ((ship.angle - ship.previous_angle + 180.0).rem_euclid(360.0) - 180.0) * alpha
 }

@@ -1,13 +1,10 @@
-//! Places of the head-up display's parts. They step aside for the ship, hazards, goals and keys: a part that would hide one of them fades, and the
-//! fuel bar sinks to a thin line at the window's edge. Arrows at that edge point to goals and key objects outside the view, each with its sign and
-//! the distance.
+//! Places of the head-up display's parts, which step aside for the ship, hazards, goals and keys; the fuel bar sinks to a thin line at the edge.
+//! Arrows at the window's edge point to goals and key objects outside the view, each with its sign and the distance.
 
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, LINE, MONO_ADVANCE, TEXT, Vec2};
 use crate::game::{Game, Outcome, SHIP, object_body};
-use crate::level::ObjectiveKind;
-use crate::number::fixed;
 use crate::physics::{Aabb, DVec2};
-use crate::view::camera::Viewport;
+use crate::{level::ObjectiveKind, number::fixed, view::camera::Viewport};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HudPart {
@@ -23,7 +20,6 @@ pub enum HudPart {
 pub struct HudShown {
     pub status: bool,
     pub fuel: bool,
-    /// The number of ghosts in the race.
     pub rivals: usize,
     /// The medal that is still within reach.
     pub medal: bool,
@@ -70,7 +66,6 @@ impl Aside {
         self.homes[part as usize]
     }
 
-    /// The place of the medal in the strip.
     pub fn medal(&self) -> Option<Area> {
         self.column(0, self.columns).filter(|_| self.shows_medal)
     }
@@ -82,7 +77,6 @@ impl Aside {
         Some(Area::new(strip.min.x + (self.columns - of + index) as f32 * width, strip.min.y, width, strip.size.y))
     }
 
-    /// The undisturbed place of every part that is shown.
     pub fn homes(&self) -> impl Iterator<Item = Area> {
         self.homes.iter().copied().flatten()
     }
@@ -129,11 +123,9 @@ impl HudLayout {
         if game.level().ship_plays() { Self::new(frame).areas().to_vec() } else { Vec::new() }
     }
 
-    /// The strip beside the timer.
     pub fn race(&self, frame: &Frame, columns: usize) -> Area {
         let left = self.status.max().x + GRID;
-        let column = RACE_COLUMN * frame.text_height(TEXT);
-        let width = (column * columns as f32).min(frame.size.x - left - 2.0 * GRID);
+        let width = (RACE_COLUMN * frame.text_height(TEXT) * columns as f32).min(frame.size.x - left - 2.0 * GRID);
         Area::new(left, self.status.min.y, width, frame.text_height(TEXT) * 2.8)
     }
 
@@ -161,7 +153,6 @@ pub enum PointerTarget {
     Key(usize),
 }
 
-/// An arrow with its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pointer {
     pub target: PointerTarget,
@@ -173,7 +164,6 @@ pub struct Pointer {
 }
 
 impl Pointer {
-    /// The box with the sign and the words.
     pub fn panel(&self) -> Area {
         self.area.inset(HEAD)
     }
@@ -199,10 +189,8 @@ pub fn targets(game: &Game, centres: &[DVec2]) -> Vec<(PointerTarget, Aabb)> {
     goals.chain(keys).collect()
 }
 
-/// Whether enough of a box is in the window to be seen.
 pub fn in_view(area: &Area, frame: &Frame) -> bool {
-    let seen = area.max().min(frame.size) - area.min.max(Vec2::ZERO);
-    seen.cmpge((area.size / 2.0).min(Vec2::splat(LEAST_SEEN))).all()
+    (area.max().min(frame.size) - area.min.max(Vec2::ZERO)).cmpge((area.size / 2.0).min(Vec2::splat(LEAST_SEEN))).all()
 }
 
 /// The arrows, the nearest target's first: in the window, over no other, over nothing in `taken` and, where there is room, in `clear`.

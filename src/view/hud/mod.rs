@@ -5,11 +5,9 @@ mod aside;
 pub use aside::{Aside, HudLayout, HudPart, HudShown, Pointer, PointerTarget, in_view, targets};
 
 use super::art::{self, Tile};
-use super::camera::Viewport;
-use super::emitters::objective_colour;
 use super::widgets::{fitted, panel_in};
 use super::zones::{diamond, ring};
-use super::{labels, theme};
+use super::{camera::Viewport, emitters::objective_colour, labels, theme};
 use crate::draw::layout::{Area, DETAILS, Frame, GRID, TEXT, Vec2, text_room};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{DAMAGING_SPEED, Game, Medals, SHIP};
@@ -43,7 +41,6 @@ const FUEL_LOW: f32 = 0.25;
 /// Duration of the hint with the keys at the start of the first level, s.
 const HINT_TIME: f64 = 12.0;
 
-/// The input of a frame's layout.
 #[derive(Clone, Copy, Debug)]
 pub struct HudScene<'a> {
     pub game: &'a Game,
@@ -66,12 +63,10 @@ pub struct Hud {
 }
 
 impl Hud {
-    /// Lays everything out, `frame_time` seconds after the frame before.
     pub fn update(&mut self, scene: &HudScene, frame_time: f64) {
         let HudScene { game, view, frame, .. } = *scene;
         let (ship, others) = kept_free(scene);
-        let speed = view.length(game.world().body(SHIP).velocity.length());
-        self.aside.update(scene.shown, (ship, speed), &others, frame, frame_time);
+        self.aside.update(scene.shown, (ship, view.length(game.world().body(SHIP).velocity.length())), &others, frame, frame_time);
         self.stranded = (scene.shown.fuel && game.is_stranded()).then(|| stranded(scene, ship, &others));
         self.pointers.clear();
         if scene.shown.status {
@@ -86,7 +81,6 @@ impl Hud {
         }
     }
 
-    /// The panel with advice without fuel, while it is there.
     pub fn stranded(&self) -> Option<Area> {
         self.stranded.as_ref().map(|(_, area)| *area)
     }
@@ -196,8 +190,7 @@ fn key_colour(key: Option<[u8; 3]>) -> Colour {
 
 /// The keys, at the start of the first level: in the fuel bar, where the words hide nothing.
 fn hint(game: &Game, settings: &Settings) -> Option<String> {
-    let first = game.level().name == "1" && game.elapsed() < HINT_TIME;
-    first.then(|| {
+    (game.level().name == "1" && game.elapsed() < HINT_TIME).then(|| {
         let label = |action| settings.keys.label(action);
         let [restart, rewind, pause, details] = [Action::Restart, Action::Rewind, Action::Pause, Action::Details].map(label);
         tr!("{restart} restarts · {rewind} rewinds · {pause} pauses · {details} shows the forces", restart, rewind, pause, details)
@@ -237,7 +230,6 @@ pub fn draw_column(column: Area, (name, number): (&str, &str), colour: Colour, a
     canvas.text(number, at(0.72), Style::new(TEXT, colour.faded(strong)).mono().centred().middle());
 }
 
-/// The best medal within reach, and the time that is left for it.
 fn draw_medal(game: &Game, column: Area, aside: &Aside, canvas: &Canvas) {
     let time = if game.is_idle() { 0.0 } else { game.time() };
     let (medal, left) = Medals::within_reach(&game.level().awards, time);
@@ -277,11 +269,9 @@ fn velocity_arrow(velocity: DVec2, centre: DVec2, view: &Viewport) -> Option<(Ve
     (speed >= VELOCITY_LEAST).then(ends)
 }
 
-/// The box around the head.
 pub fn velocity_tip(velocity: DVec2, centre: DVec2, view: &Viewport) -> Option<Area> {
     let (from, to) = velocity_arrow(velocity, centre, view)?;
-    let middle = to - (to - from).normalize_or_zero() * VELOCITY_HEAD * 0.5;
-    Some(Area::around(middle, Vec2::splat(VELOCITY_HEAD * 1.2)))
+    Some(Area::around(to - (to - from).normalize_or_zero() * VELOCITY_HEAD * 0.5, Vec2::splat(VELOCITY_HEAD * 1.2)))
 }
 
 pub fn draw_velocity(velocity: DVec2, centre: DVec2, view: &Viewport, canvas: &Canvas) {
@@ -324,8 +314,7 @@ fn draw_fuel(share: f32, words: &str, area: Area, aside: f32, canvas: &Canvas) {
     // What large words leave no room for is left out, key by key.
     let fits = |words: &str| canvas.width(words, style) <= canvas.size().x - x - GRID;
     let mut heads = std::iter::successors(Some(words), |words| Some(words.rsplit_once(" · ")?.0));
-    let shown = heads.find(|words| fits(words)).unwrap_or_default();
-    canvas.text(shown, Vec2::new(x, area.centre().y), style);
+    canvas.text(heads.find(|words| fits(words)).unwrap_or_default(), Vec2::new(x, area.centre().y), style);
 }
 
 fn fuel_colour(share: f32) -> Colour {

@@ -35,7 +35,6 @@ impl Backdrop<'_> {
         self.canvas.textured(&Image::Sheet, std::mem::take(&mut self.sprites));
     }
 
-    /// Adds a convex outline, cut to the air.
     pub(super) fn fill(&mut self, corners: &[Point]) {
         let (low, high) = corners.iter().fold((Vec2::MAX, Vec2::MIN), |(low, high), (at, _)| (low.min(*at), high.max(*at)));
         let air = self.air;
@@ -173,8 +172,7 @@ impl Backdrop<'_> {
     pub(super) fn disc(&mut self, centre: Vec2, radius: f32, colour: impl Fn(Vec2) -> Colour) {
         const SIDES: u32 = 48;
         let rim = |i: u32| Vec2::from_angle(i as f32 * TAU / SIDES as f32);
-        let points: Vec<Point> = (0..SIDES).map(|i| (centre + rim(i) * radius, colour(rim(i)))).collect();
-        self.fill(&points);
+        self.fill(&(0..SIDES).map(|i| (centre + rim(i) * radius, colour(rim(i)))).collect::<Vec<_>>());
     }
 
     pub(super) fn lattice(&mut self, foot: Vec2, height: f32, width: f32, colour: Colour) {
@@ -196,8 +194,7 @@ impl Backdrop<'_> {
         (0..count).map(move |i| {
             let pace = 0.5 + random(i, 5);
             let at = Vec2::new(random(i, 3), random(i, 4)) * size + drift * (time * pace) - shift;
-            let at = Vec2::new(at.x.rem_euclid(size.x), at.y.rem_euclid(size.y));
-            (at, random(i, 6), 0.5 + 0.5 * (time * pace + i as f32).sin())
+            (Vec2::new(at.x.rem_euclid(size.x), at.y.rem_euclid(size.y)), random(i, 6), 0.5 + 0.5 * (time * pace + i as f32).sin())
         })
     }
 
@@ -229,8 +226,7 @@ fn beyond(corners: &[Point], axis: usize, way: f32, limit: f32) -> Vec<Point> {
             let share = a / (a - b);
             let mix = |from: f32, to: f32| from + (to - from) * share;
             let (p, q) = (from.1, to.1);
-            let colour = Colour::new(mix(p.r, q.r), mix(p.g, q.g), mix(p.b, q.b), mix(p.a, q.a));
-            part.push((from.0.lerp(to.0, share), colour));
+            part.push((from.0.lerp(to.0, share), Colour::new(mix(p.r, q.r), mix(p.g, q.g), mix(p.b, q.b), mix(p.a, q.a))));
         }
         if b >= 0.0 {
             part.push(to);

@@ -4,14 +4,12 @@
 use super::{camera::Viewport, terrain::chance, theme};
 use crate::draw::layout::{Area, Vec2};
 use crate::draw::{Canvas, Colour, Quads};
-use crate::level::Landscape;
-use crate::physics::DVec2;
+use crate::{level::Landscape, physics::DVec2};
 use backdrop::Backdrop;
 
 mod backdrop;
 mod scenes;
 
-/// The colours of a world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorldPalette {
     /// The tones of the sky, each at its share of the way down.
@@ -86,8 +84,7 @@ impl WorldPalette {
         }
     }
 
-    /// The two worlds between which a height lies where five lie one above the other, and how far it is from the first to the second. The
-    /// `share` is that of the level's height, from its top.
+    /// The two worlds between which a `share` of the level's height, from its top, lies, and how far it is from the first to the second.
     pub fn storeys(share: f64) -> (Self, Self, f32) {
         const ALL: [Landscape; 5] = [Landscape::Orbit, Landscape::Launch, Landscape::Wind, Landscape::Quarry, Landscape::Water];
         let at = (share * ALL.len() as f64 - 0.5).clamp(0.0, ALL.len() as f64 - 1.0);
@@ -111,8 +108,7 @@ const STOREY_TONE: f32 = 0.5;
 /// The light of lamps on masts and over pads.
 pub const LAMP: Colour = Colour::hex(0xFFE6BC);
 
-/// Draws a world's sky in the `air`, canvas units; its ground lies about the level's `floor`, m. `time` (s) moves wheels, dust and
-/// bubbles. Where worlds lie in `storeys`, the air has their colours.
+/// In the `air`, canvas units; its ground lies about the level's `floor`, m. Where worlds lie in `storeys`, the air has their colours.
 pub fn draw(
     (landscape, storeys): (Landscape, bool),
     (air, floor): (&[Area], f64),
@@ -150,8 +146,7 @@ pub fn draw(
     if storeys {
         // Space fades into the air of the worlds below it.
         let colour = |at: Vec2| {
-            let share = f64::from(at.y - origin.y) / f64::from(view.length(level));
-            let (above, below, t) = WorldPalette::storeys(share);
+            let (above, below, t) = WorldPalette::storeys(f64::from(at.y - origin.y) / f64::from(view.length(level)));
             let opaque = if above == WorldPalette::of(Landscape::Orbit) { t } else { 1.0 };
             above.sky_at(STOREY_TONE).mixed(below.sky_at(STOREY_TONE), t).faded(opaque)
         };

@@ -2,9 +2,8 @@
 
 use super::backdrop::{Backdrop, in_air};
 use super::{LAMP, glow, random, rolling};
-use crate::draw::Colour;
 use crate::draw::layout::{Area, Vec2};
-use crate::view::art;
+use crate::{draw::Colour, view::art};
 use std::f32::consts::{PI, TAU};
 
 /// The sun's radius, and that of the earth.
@@ -12,13 +11,9 @@ const SUN: f32 = 44.0;
 const EARTH: f32 = 235.0;
 
 impl Backdrop<'_> {
-    /// Stars over far hills; gantries with beacons, a rocket, and floodlights on masts.
     pub(super) fn launch_site(&mut self) {
         let horizon = self.ground(0, 0.03);
-        self.sky(|at, tone| {
-            let near = glow(((at.y - horizon) / 200.0).abs().min(1.0));
-            tone.mixed(Colour::hex(0xFF9A55), 0.20 * near)
-        });
+        self.sky(|at, tone| tone.mixed(Colour::hex(0xFF9A55), 0.20 * glow(((at.y - horizon) / 200.0).abs().min(1.0))));
         self.dots((120, Vec2::ZERO, 0), (0.7, self.palette.ink.faded(0.95)));
         self.flush();
         let base = self.ground(0, 0.10);
@@ -72,7 +67,6 @@ impl Backdrop<'_> {
         }
     }
 
-    /// A low sun behind haze, cut by terraces; a crane, and dust in the air.
     pub(super) fn quarry(&mut self) {
         let [white, gold, amber, red] = [0xFFF2C4, 0xFFC873, 0xF58A42, 0xE06A3A].map(Colour::hex);
         let drift = self.shift[0] * Vec2::new(0.3, 0.0);
@@ -111,8 +105,7 @@ impl Backdrop<'_> {
         let base = self.ground(1, 0.035);
         self.terrace(1, (base, 46.0, 190.0), (self.palette.layers[2], 0.6), amber.faded(0.55));
         self.haze(base + 70.0, 50.0, red.faded(0.12));
-        let base = self.ground(2, -0.03);
-        self.terrace(2, (base, 50.0, 240.0), (Colour::hex(0x12090A), 0.6), gold.faded(0.25));
+        self.terrace(2, (self.ground(2, -0.03), 50.0, 240.0), (Colour::hex(0x12090A), 0.6), gold.faded(0.25));
         self.dots((60, Vec2::new(9.0, -3.0), 2), (1.0, gold.faded(0.45)));
     }
 
@@ -135,7 +128,6 @@ impl Backdrop<'_> {
         self.ridge(layer, (step, height), fog, Some(light));
     }
 
-    /// Mills on far hills, turning wheels of brass, cliffs, and streaks of wind.
     pub(super) fn wind_works(&mut self) {
         let sun = Vec2::new(self.size.x * 0.92, self.size.y * 0.02);
         let warm = Colour::hex(0xFFE9B0);
@@ -209,7 +201,6 @@ impl Backdrop<'_> {
         self.disc(hub, radius * 0.07, |_| hole);
     }
 
-    /// Shafts of light that sway, mounds in the fog, weed in two depths, and bubbles.
     pub(super) fn deep_water(&mut self) {
         self.sky(|_, tone| tone);
         let light = Colour::hex(0xCFFFE4);
@@ -230,8 +221,7 @@ impl Backdrop<'_> {
         let mounds = |i: i64| base - 60.0 * rolling(i as f32 * 0.13, 62).max(-0.3) - 8.0 * rolling(i as f32 * 0.6, 63);
         self.ridge(1, (30.0, mounds), (deep, 0.6), None);
         self.weeds(2, 0.42, self.palette.layers[2]);
-        let foot = self.ground(2, 0.0);
-        self.haze(foot, 120.0, deep.faded(0.6));
+        self.haze(self.ground(2, 0.0), 120.0, deep.faded(0.6));
         self.dots((36, Vec2::new(0.0, -26.0), 2), (1.3, light.faded(0.24)));
     }
 
@@ -263,7 +253,6 @@ impl Backdrop<'_> {
         }
     }
 
-    /// Stars in two depths, the milky way, the earth with its air, and a moon.
     pub(super) fn orbit(&mut self) {
         let (size, shift) = (self.size, self.shift[0]);
         let clouds: [(f32, f32, f32, usize); 5] = [
@@ -276,8 +265,7 @@ impl Backdrop<'_> {
         let tones = self.palette.layers;
         self.sky(|at, tone| {
             clouds.iter().fold(tone, |tone, (x, y, reach, kind)| {
-                let way = at - Vec2::new(x * size.x, y * size.y) + shift;
-                tone.mixed(tones[*kind], 0.55 * glow(way.length() / reach))
+                tone.mixed(tones[*kind], 0.55 * glow((at - Vec2::new(x * size.x, y * size.y) + shift).length() / reach))
             })
         });
         self.dots((150, Vec2::ZERO, 0), (0.35, self.palette.ink.faded(0.75)));
@@ -290,8 +278,7 @@ impl Backdrop<'_> {
             self.disc(moon + Vec2::new(x, y), radius, |way| grey(0.40 - 0.02 * x - 0.16 * way.dot(towards)));
         }
         self.flush();
-        let middle = Vec2::new(size.x * 0.41, size.y * 0.48) - shift;
-        let all = Area::around(middle, Vec2::splat(2.0 * EARTH * art::rock::AIR));
+        let all = Area::around(Vec2::new(size.x * 0.41, size.y * 0.48) - shift, Vec2::splat(2.0 * EARTH * art::rock::AIR));
         for area in in_air(self.air, all) {
             let part = Area { min: (area.min - all.min) / all.size, size: area.size / all.size };
             self.canvas.picture(&art::rock::EARTH, part, area, (0.0, Colour::WHITE));

@@ -1,14 +1,12 @@
-//! Light on the edges of the rock: the lit stretches and their brightness. Plain geometry in metres, y down.
-//! The ink of a level: its rock and its paper share one tint, by which a player knows the level again.
-//! Light in rock and shade in the air along it: meshes of vertex colours, finer where the light bends, made piece by piece as they come into view.
+//! Light on the edges of the rock and in the air along it: meshes of vertex colours, finer where the light bends, made piece by piece as they come
+//! into view; metres, y down. A level's ink: its rock and its paper share one tint, by which a player knows the level again.
 
 use super::ROCK;
 use super::silhouette::{RockEdge, Silhouette};
 use crate::draw::{Colour, Quad, layout::Vec2};
-use crate::level::Landscape;
-use crate::number::hash;
 use crate::physics::{Aabb, DVec2};
 use crate::view::{art::rock::FACE_METRES, camera::Viewport, particles::stretch, sky::WorldPalette, theme};
+use crate::{level::Landscape, number::hash};
 use std::{cell::RefCell, collections::BTreeMap};
 
 /// Length of the pieces of a lit edge, m: between their ends the light changes evenly.
@@ -227,7 +225,6 @@ impl RockMesh {
     }
 }
 
-/// The cells of a piece: of the rock, and of the air.
 fn make(piece: &Aabb, mass: &Silhouette, open: &[Aabb], tint: &Tint, smallest: f64) -> [Vec<RockCell>; 2] {
     let near = Aabb::new(piece.min - LIT_FROM - FALL, piece.max + LIT_FROM + FALL);
     let edges: Vec<&RockEdge> = mass.edges.iter().filter(|edge| edge.bounds().touches(&near, 0.0)).collect();

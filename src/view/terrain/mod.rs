@@ -33,8 +33,7 @@ pub fn mass(level: &Level) -> Silhouette {
     let solids = level.world.iter().filter(|solid| solid.is_rock()).map(|solid| (inside(&solid.bounds), kind(solid.material.name)));
     let sources = level.streams.iter().map(|stream| (inside(&stream.source), ROCK));
     let rim = frame(&Aabb::new(all.min - RIM, all.max + RIM), &all);
-    let boxes: Vec<(Aabb, usize)> = rim.into_iter().map(|bounds| (bounds, ROCK)).chain(solids).chain(sources).collect();
-    let mut mass = Silhouette::new(&boxes);
+    let mut mass = Silhouette::new(&rim.into_iter().map(|bounds| (bounds, ROCK)).chain(solids).chain(sources).collect::<Vec<_>>());
     mass.edges.retain(|edge| edge.bounds().touches(&all, 0.0));
     mass
 }
@@ -109,8 +108,7 @@ pub fn hatching(mass: &Silhouette, kind: usize) -> Vec<(DVec2, DVec2)> {
             let along = (line as f64 * step - edge.from.element_sum()).abs();
             let from = edge.from + edge.along() * along.min(edge.length());
             let wanted = SHORTEST + LONGER * chance(line, edge.inward);
-            let room = mass.reach(kind, (from, way), 2.0 * wanted);
-            let length = wanted.min(room / 2.0);
+            let length = wanted.min(mass.reach(kind, (from, way), 2.0 * wanted) / 2.0);
             if length >= LEAST {
                 strokes.push((from, from + way * length));
             }

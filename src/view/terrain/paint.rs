@@ -58,10 +58,8 @@ impl Terrain {
         // The window's edge cuts off what is drafted there.
         let inner = Aabb::new(level.bounds().min + BORDER, level.bounds().max - BORDER);
         let taken: Vec<Aabb> = texts.iter().copied().chain(sources).chain(frame(&level.bounds(), &inner)).collect();
-        let seams = (ROCK + 1..Material::ALL.len()).flat_map(|kind| {
-            let pieces: Vec<_> = mass.pieces().filter(|piece| piece.1 == kind).collect();
-            Silhouette::new(&pieces).edges.to_vec()
-        });
+        let seams = (ROCK + 1..Material::ALL.len())
+            .flat_map(|kind| Silhouette::new(&mass.pieces().filter(|piece| piece.1 == kind).collect::<Vec<_>>()).edges.to_vec());
         let dimensions = dimensions(&mass, ROCK, &taken);
         let tint = Tint::of(level.landscape, &level.name);
         let storeys = (level.storeys && tint.world.is_some()).then_some(level.size.y);
@@ -178,8 +176,7 @@ impl Terrain {
             let cells = self.rock.show(true, &self.mass, &self.open, &self.tint, view);
             canvas.quads(Quads(cells.into_iter().map(|(quad, _)| quad).collect()));
             for lamp in &self.ceiling_lamps {
-                let spread = (view.length(CONE.0), CONE.1);
-                canvas.quads(sky::beam(view.point(*lamp), Vec2::Y, spread, sky::LAMP.faded(CONE_LIGHT)));
+                canvas.quads(sky::beam(view.point(*lamp), Vec2::Y, (view.length(CONE.0), CONE.1), sky::LAMP.faded(CONE_LIGHT)));
             }
         }
     }

@@ -7,9 +7,7 @@ use crate::physics::{Aabb, DVec2};
 /// The join of an edge with the next one of its loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Corner {
-    /// A convex corner of the mass.
     Outer,
-    /// A concave corner of the mass.
     Inner,
     /// The line goes straight on, of another kind.
     Straight,
@@ -68,8 +66,7 @@ impl Silhouette {
             rows: [stop(&heights, bounds.min.y), stop(&heights, bounds.max.y)],
             kind: *kind,
         };
-        let placed: Vec<SweptBox> = boxes.iter().map(swept).collect();
-        let rows = rows(&placed, heights.len());
+        let rows = rows(&boxes.iter().map(swept).collect::<Vec<_>>(), heights.len());
         let mut mass = Self { columns, heights, rows, loops: Vec::new(), edges: Vec::new() };
         for corners in loops(&mass.rows) {
             mass.loops.push(corners.iter().map(|&at| mass.point(at)).collect());
@@ -141,15 +138,13 @@ impl Silhouette {
             let Some(span) = row.spans.iter().find(holds).filter(|span| span.kind == kind) else { break };
             let end = |low: usize, high: usize, stops: &[f64], way: f64| if way > 0.0 { stops[high] } else { stops[low] };
             let across = (end(span.from, span.to, &self.columns, direction.x) - at.x) / direction.x;
-            let down = (end(row.top, row.bottom, &self.heights, direction.y) - at.y) / direction.y;
-            gone += across.min(down).max(TOUCH);
+            gone += across.min((end(row.top, row.bottom, &self.heights, direction.y) - at.y) / direction.y).max(TOUCH);
         }
         gone.min(limit)
     }
 
     fn row_at(&self, y: f64) -> Option<&SweepRow> {
-        let next = self.rows.partition_point(|row| self.heights[row.top] <= y);
-        self.rows[..next].last().filter(|row| y < self.heights[row.bottom])
+        self.rows[..self.rows.partition_point(|row| self.heights[row.top] <= y)].last().filter(|row| y < self.heights[row.bottom])
     }
 
     fn point(&self, (column, height): (usize, usize)) -> DVec2 {
@@ -206,14 +201,12 @@ impl Silhouette {
         pieces
     }
 
-    /// The row that begins or ends at a height.
     fn row_beside(&self, height: usize, way: i8) -> Option<&SweepRow> {
         let next = self.rows.partition_point(|row| row.top < height);
         let row = if way > 0 { self.rows.get(next) } else { self.rows[..next].last() };
         row.filter(|row| if way > 0 { row.top == height } else { row.bottom == height })
     }
 
-    /// The rows between two heights, whole or in part.
     fn rows_between(&self, top: usize, bottom: usize) -> &[SweepRow] {
         let first = self.rows.partition_point(|row| row.bottom <= top);
         let end = self.rows.partition_point(|row| row.top < bottom);
@@ -289,8 +282,7 @@ fn level_sides(above: &[(usize, usize)], below: &[(usize, usize)], height: usize
     cuts.sort_unstable();
     cuts.dedup();
     let in_it = |covered: &[(usize, usize)], cut: usize| {
-        let next = covered.partition_point(|(from, _)| *from <= cut);
-        covered[..next].last().is_some_and(|(_, to)| cut < *to)
+        covered[..covered.partition_point(|(from, _)| *from <= cut)].last().is_some_and(|(_, to)| cut < *to)
     };
     for pair in cuts.windows(2) {
         match (in_it(above, pair[0]), in_it(below, pair[0])) {
@@ -304,13 +296,11 @@ fn level_sides(above: &[(usize, usize)], below: &[(usize, usize)], height: usize
 /// The side that begins at another's end. Of two, the one that turns to the right: round the same corner of the mass.
 fn following(sides: &[(EdgePlace, EdgePlace)], side: usize) -> usize {
     let (from, to) = sides[side];
-    let first = sides.partition_point(|(start, _)| *start < to);
-    let mut next = (first..sides.len()).take_while(|&i| sides[i].0 == to);
+    let mut next = (sides.partition_point(|(start, _)| *start < to)..sides.len()).take_while(|&i| sides[i].0 == to);
     let one = next.next().unwrap_or(side);
     next.next().filter(|&i| unit(sides[i].0, sides[i].1) == right(unit(from, to))).unwrap_or(one)
 }
 
-/// The direction from one place to another on the same column or height.
 fn unit(from: EdgePlace, to: EdgePlace) -> (i8, i8) {
     let sign = |a: usize, b: usize| b.cmp(&a) as i8;
     (sign(from.0, to.0), sign(from.1, to.1))

@@ -37,7 +37,6 @@ impl SweepRow {
     }
 }
 
-/// A rectangle between lines of the grid.
 pub struct SweptBox {
     pub columns: [usize; 2],
     pub rows: [usize; 2],

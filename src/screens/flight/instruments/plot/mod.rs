@@ -46,7 +46,7 @@ impl PlotLine {
     }
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Plot {
     lines: Vec<PlotLine>,
     across: Quantity,
@@ -75,38 +75,6 @@ pub struct Plot {
     now: u64,
     ahead: Ahead,
     places: Option<PlotPlaces>,
-}
-
-impl Default for Plot {
-    fn default() -> Self {
-        let line = |up: &Quantity| PlotLine::new(0, Quantity::Time, *up);
-        Self {
-            lines: along(VectorPart::Y)[..2].iter().map(line).collect(),
-            across: Quantity::Time,
-            axis: VectorPart::Y,
-            settled: false,
-            objects: Default::default(),
-            names: Default::default(),
-            compared: false,
-            level: String::new(),
-            tick_rate: 1.0,
-            window: None,
-            span: None,
-            selected: 0,
-            law: None,
-            fitted: None,
-            pick: None,
-            hand: Hand::default(),
-            large: false,
-            message: None,
-            waiting: None,
-            export: None,
-            seek: None,
-            now: 0,
-            ahead: Ahead::default(),
-            places: None,
-        }
-    }
 }
 
 impl Plot {
@@ -189,6 +157,9 @@ impl Plot {
         }
         (self.now, self.tick_rate) = (game.ticks(), game.tick_rate());
         self.level.clone_from(&game.level().name);
+        if self.lines.is_empty() && !self.settled {
+            self.lines.extend(along(self.axis)[..2].iter().map(|up| PlotLine::new(0, self.across, *up)));
+        }
         self.settle();
         let compared = self.names[1].is_some();
         if compared && !self.compared && 2 * self.lines.len() <= MOST_LINES && self.lines.iter().all(|line| line.whose == 0) {
