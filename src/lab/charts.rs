@@ -1,13 +1,11 @@
-//! The findings of one run of `resultant chart`, as CSV and back: `setting.csv` names the machine, `scenes.csv` lists the diagrams;
-//! each scene has a file of points, and one of courses over time where it was followed; `stress.csv` holds the limits of each method.
+//! One run of `resultant chart` as CSV and back: the machine, the diagrams, a file of points and one of courses a scene, the limits of each method.
 //! Numbers are in the shortest form that reads back as the same f64; an error of `inf` or `NaN` is a run that blew up.
 
 use super::curve::{
     CoursePoint, MOST_CURVES, Measured, MethodCurve, OverTime, PI, WorkPoint, above_zero, curve_of, error, head, of_flags,
     of_words, rows, shortest, table, work_point,
 };
-use super::savings::{self, Saving};
-use super::stress::Survival;
+use super::{savings, savings::Saving, stress::Survival};
 use crate::files::{CsvColumn, CsvRow, CsvStruct};
 use crate::{draw::chart::CurveOrigin, physics::SOURCES};
 use serde::Deserialize;

@@ -1,10 +1,5 @@
-//! The one contract of the lab. A [`Model`] is a motion that can be stepped: by methods by hand, and by the shipped engine in a world that
-//! holds the same. Scenes, stress tests and side by side run each method of a model through [`Model::end`] or
-//! [`Model::running`], and differ only in their questions to the states.
-//!
-//! A scene: a question with an exact answer, and the methods that are to answer it.
-//!
-//! Worlds of the shipped engine for the lab's models, with the game's defaults.
+//! The one contract of the lab: a [`Model`] is a motion that is stepped by methods by hand, and by the shipped engine in a world that holds the same.
+//! A scene is a question with an exact answer, and the methods that are to answer it.
 
 use super::methods::motion::{MotionLaw, PointState};
 use super::{TOLERANCE, curve::CoursePoint, methods::impact::LineBlock};
@@ -226,15 +221,13 @@ pub(super) fn crate_at(x: f64, y: f64, mass: f64) -> BodyDef {
     BodyDef { position: DVec2::new(x, -0.5 - y), mass, ..BodyDef::default() }
 }
 
-/// A world with one body that obeys `law`, which pulls downwards only. The body is round, since the law's drag does not depend on the
-/// direction. Uniform wind is another frame of reference: in it the air stands still.
+/// One body that obeys `law`, which pulls downwards only; round, since drag has no direction. Uniform wind is another frame: in it the air stands still.
 pub(super) fn in_air(law: &MotionLaw, start: PointState) -> WorldDef {
     let body = BodyDef { position: start.x, velocity: start.v - law.wind, drag: 2.0 * law.drag, round: true, ..BodyDef::default() };
     WorldDef { gravity: law.constant.y, air_density: 1.0, bodies: vec![body], ..WorldDef::default() }
 }
 
-/// A world with one box of 1 m in a liquid of that density (kg/m³), so thick that it slows the box of `mass` kg by `viscous` of its
-/// velocity a second: Stokes' 3π·η·d/m with d = 1 m.
+/// One box of 1 m and `mass` kg in a liquid (kg/m³) so thick that it takes `viscous` of its velocity a second: Stokes' 3π·η·d/m with d = 1 m.
 pub(super) fn in_liquid(viscous: f64, density: f64, mass: f64, gravity: f64, start: PointState) -> WorldDef {
     let zone = Aabb::around(start.x, DVec2::splat(1e4));
     let fluid = FluidDef { zone, density, viscosity: viscous * mass / (3.0 * std::f64::consts::PI) };

@@ -1,14 +1,11 @@
-//! The findings of a run in writing: a page with all tables and diagrams, and the cheapest method of each scene.
-//!
-//! What the pages say of what was measured: texts between marks, as in `<!-- chart:savings -->…<!-- end -->`. `resultant chart` writes
-//! them; a test compares them with the charts.
+//! A run in writing: a page with all tables and diagrams, the cheapest method of each scene, and what other pages say of what was measured:
+//! texts between marks, as in `<!-- chart:savings -->…<!-- end -->`. `resultant chart` writes them; a test compares them with the charts.
 
 use super::curve::{ALIKE, EXACT, Measured, MethodCurve, PI, WorkPoint, shortest, table};
 use super::savings::{self, Saving, TITLE as SAVINGS};
 use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, SVG, TITLE, limit};
 use super::{charts::Charts, kept::PeerRow};
-use crate::draw::chart::CurveOrigin;
-use crate::number::{short, step};
+use crate::{draw::chart::CurveOrigin, number::short, number::step};
 use std::{collections::BTreeSet, fmt::Write};
 
 /// The shipped engine's cost in a scene, beside the cheapest there.

@@ -1,5 +1,4 @@
-//! No more than a scene needs: the parts of the model that each level, experiment and scene of the Lab runs and leaves out, and what it
-//! would cost to run them all.
+//! The parts of the model that each level, experiment and scene of the Lab runs and leaves out, and what it would cost to run them all.
 
 use super::curve::{above_zero, not_negative, rows, shortest, table};
 use crate::game::{Controls, Game, TICK_RATE};

@@ -6,11 +6,8 @@ use super::places::{DiagramPlaces, SLOPE};
 use crate::draw::chart::{Decades, FRAME, Marker, RING, TOLERANCE_DASH, dashed, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::curve::Measured;
-use crate::lab::methods::motion::ADAPTIVE;
-use crate::number::{power, short};
-use crate::view::{theme, widgets};
 use crate::words::tr;
+use crate::{lab::curve::Measured, lab::methods::motion::ADAPTIVE, number::power, number::short, view::theme, view::widgets};
 
 /// The most powers of ten that an axis names.
 const NAMED: i32 = 9;

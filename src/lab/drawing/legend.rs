@@ -5,11 +5,8 @@ use super::places::DiagramPlaces;
 use crate::draw::chart::{FRAME, LEAST_ERROR, Marker, RING, SAMPLE, TOLERANCE_DASH, WORDS, dashed, marker, sample};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::TOLERANCE;
 use crate::lab::curve::{Measured, MethodCurve, WorkPoint};
-use crate::number::short;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::TOLERANCE, number::short, view::theme, view::widgets, words::tr};
 
 /// A line of the legend: its area, the middle of its sample, and the start of its words.
 fn line_of(plot: &DiagramPlaces, line: usize) -> (Area, Vec2, Vec2) {

@@ -1,17 +1,13 @@
 //! The Lab's first page: small pictures of its charts, without legends; curves are named where there is room.
 
 use super::looks::{look_of, name_of, shade};
-use super::places::{Axes, points_along};
-use super::plane::Plane;
+use super::{places::Axes, places::points_along, plane::Plane};
 use crate::draw::chart::{CurveOrigin, Marker, TOLERANCE_DASH, dashed, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::curve::{Measured, MethodCurve};
-use crate::lab::savings::Saving;
 use crate::lab::stability::{self, Region, SHIPPED, SHIPPED_LIMITS, limit};
 use crate::number::{fixed, power, short};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::curve::Measured, lab::curve::MethodCurve, lab::savings::Saving, view::theme, view::widgets, words::tr};
 
 /// The most of a small picture's width that the plane takes.
 const MOST: f32 = 0.6;

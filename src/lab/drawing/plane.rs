@@ -4,11 +4,8 @@ use super::looks::{look_of, shade};
 use crate::draw::chart::{CurveLook, CurveOrigin, WORDS as WORDS_AT, marker, sample, stroke};
 use crate::draw::layout::{Area, DETAILS, Frame, TEXT, Vec2, words_width};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::methods::METHODS;
 use crate::lab::stability::{CELLS, Complex, FAR, IMAGINARY, PART, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
-use crate::number::fixed;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::methods::METHODS, number::fixed, view::theme, view::widgets, words::tr};
 
 /// Margins of the plane in its panel, for values and names of the axes.
 const LEFT: f32 = 64.0;

@@ -1,18 +1,16 @@
-//! Stress tests: the largest value that each method survives, the shipped engine among them. A function of its own for each test says
-//! whether a method survives, so that tests can call it for single values.
+//! Stress tests: the largest value that each method survives, the shipped engine among them. Functions of their own let tests try single values.
 
 pub mod motion;
 pub mod picture;
 pub mod robustness;
 pub mod standing;
 
-use crate::files::{CsvColumn, CsvStruct};
 use crate::lab::curve::{of_amounts, of_flags, of_words};
+use crate::{files::CsvColumn, files::CsvStruct, number::short};
 use picture::FailurePicture;
 use serde::Deserialize;
 
 use super::contract::Entrant;
-use crate::number::short;
 use std::collections::HashMap;
 
 /// N/kg.
@@ -108,12 +106,10 @@ impl StressTest {
     }
 }
 
-/// Relative: how far beyond what it survives a method's failure is shown. Nearer than the first it would be there and not be seen; some
-/// methods survive again a little further on.
+/// Relative: how far beyond a failure is shown. Nearer than the first it would not be seen; some methods survive again a little further on.
 const BEYOND: [f64; 5] = [0.25, 0.1, 0.03, 0.01, 0.003];
 
-/// The largest value from `least` to `most` up to which `survives` holds: doubled until it does not, then halved in between.
-/// 0 if it does not hold for `least`.
+/// The largest value of the range up to which `survives` holds, doubled until it does not, then halved in between; 0: not for the least.
 pub fn largest(range: (f64, f64), survives: impl Fn(f64) -> bool) -> f64 {
     largest_to(RESOLUTION, range, survives)
 }

@@ -1,9 +1,6 @@
 //! The pointer in the picture: it selects, moves, sizes, draws, and pulls links and handles.
 
-use super::Editor;
-use super::handles::{GRAB, Handle};
-use super::tools::EditorTool;
-use super::view::Snap;
+use super::{Editor, handles::GRAB, handles::Handle, tools::EditorTool, view::Snap};
 use crate::level::document::{Kind, LinkForm, Place, RowId, Table};
 use crate::{draw::layout::Vec2, physics::DVec2, settings::Key, ui::input::Input, words::tr};
 
@@ -20,8 +17,7 @@ pub enum PointerDrag {
     Frame(DVec2, Vec<RowId>),
     /// The selected things; where the first of them was, and where it was grabbed; whether copies of them are moved.
     Move { from: Place, grabbed: DVec2, begun: Vec2, moved: bool, doubles: bool },
-    /// A handle of a thing, which lay there: from the pointer to the point that the handle stands for, pixels; where the pointer was, and
-    /// whether it has left the reach of a click.
+    /// Of a thing, which lay there: from the pointer to the handle's point, pixels; where the pointer was, and whether it has left a click's reach.
     Handle { row: RowId, handle: Handle, from: Place, offset: DVec2, begun: Vec2, moved: bool },
     /// A new thing, from that point, snapped and as it was pressed.
     Draw(Kind, [DVec2; 2]),

@@ -1,5 +1,4 @@
-//! The editor's panes: tools at the left, the panel at the right, problems below, commands above, the picture in the middle. Each is as wide
-//! as its words need.
+//! The editor's panes, each as wide as its words need: tools at the left, the panel at the right, problems below, commands above, the picture between.
 
 use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
 
@@ -83,8 +82,7 @@ impl Panes {
         }
     }
 
-    /// A row of commands from the left, and as many from the right, in the same row or the one below; the room of the level's name beside
-    /// the latter.
+    /// Commands from the left, and from the right in the same row or the one below; the room of the level's name beside the latter.
     pub fn commands(&self, left: usize, right: usize) -> (Vec<Area>, Area) {
         let (size, end) = (self.command, self.top.size.x - INSIDE);
         let low = self.top.size.y - BETWEEN - size.y;

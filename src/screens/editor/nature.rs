@@ -1,14 +1,8 @@
 //! The marks of what a block is: its material, a belt, a trampoline, a block that breaks, a side that lets through. And colours to choose.
 
-use super::layout::{BETWEEN, INSIDE};
-use super::picture::{edge, material};
-use super::{Editor, EditorPass};
-use crate::draw::layout::{Area, Vec2};
-use crate::draw::{Canvas, Colour};
-use crate::level::Landscape;
-use crate::level::document::{RowId, SetCell};
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{sky::WorldPalette, theme};
+use super::{Editor, EditorPass, layout::BETWEEN, layout::INSIDE, picture::edge, picture::material};
+use crate::{draw::Canvas, draw::Colour, level::Landscape, view::sky::WorldPalette, view::theme};
+use crate::{draw::layout::Area, draw::layout::Vec2, level::document::RowId, level::document::SetCell, ui::Ui, ui::WidgetKind};
 
 /// The steps of marks along a block, canvas units, and the most of them.
 const STEP: f32 = 18.0;

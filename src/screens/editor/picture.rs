@@ -1,15 +1,10 @@
 //! The level as the editor draws it. Colours and marks that the editor's panes share.
 
-use super::Editor;
-use super::arrange::PictureLayer;
-use super::handles::stream_zone;
-use crate::draw::layout::{Area, Vec2};
+use super::{Editor, arrange::PictureLayer, handles::stream_zone};
 use crate::draw::{Canvas, Colour, Image, Style};
 use crate::level::document::{Kind, LinkForm, Place, RowId};
-use crate::view::theme;
-use crate::{level::read_picture, physics::DVec2};
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use crate::{draw::layout::Area, draw::layout::Vec2, level::read_picture, physics::DVec2, view::theme};
+use std::{collections::BTreeMap, path::PathBuf};
 
 impl Editor {
     pub(super) fn draw_picture(&self, canvas: &Canvas) {

@@ -3,10 +3,9 @@
 use super::layout::{INSIDE, PROBLEM_LINES};
 use super::{CHECK_AFTER, Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2, wrapped};
-use crate::draw::{Canvas, Style};
 use crate::level::document::{Kind, RowId, Table};
 use crate::ui::{Ui, WidgetKind, input::Input};
-use crate::view::{theme, widgets};
+use crate::{draw::Canvas, draw::Style, view::theme, view::widgets};
 use crate::{level::Problem, settings::Keys, words::tr};
 use std::sync::Arc;
 

@@ -1,8 +1,6 @@
-//! The part of the level in view, and its scale. A point or a rectangle is moved onto the edges of other things near by, else onto the grid, else
-//! onto whole pixels.
+//! The part of the level in view, its scale, and what things snap to: edges of other things near by, else the grid, else whole pixels.
 
-use crate::draw::layout::{Area, Vec2};
-use crate::{level::document::Place, physics::DVec2};
+use crate::{draw::layout::Area, draw::layout::Vec2, level::document::Place, physics::DVec2};
 
 /// Canvas units a pixel of the picture, at least and at most.
 const SCALES: (f64, f64) = (1e-5, 16.0);
@@ -120,8 +118,7 @@ impl Snap {
         point + DVec2::new(self.offset(0, point.x), self.offset(1, point.y))
     }
 
-    /// Moves a rectangle by the one of its edges that is nearest to an edge of the others, else by its corner. The point that its cells
-    /// name, the corner or the middle, is a whole pixel then.
+    /// By its edge that is nearest to one of the others, else by its corner; the point that its cells name, corner or middle, is a whole pixel then.
     pub fn moved(&self, place: Place, by_centre: bool) -> Place {
         let along = |axis: usize| {
             let (near, far) = (place.min[axis], place.max()[axis]);

@@ -1,17 +1,9 @@
 //! The first page: four pictures, each of which leads on to its page.
 
-use super::BACK;
-use super::experiments::ExperimentsPage;
-use crate::draw::Style;
+use super::{BACK, experiments::ExperimentsPage};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GAP, PADDING, TEXT, Vec2};
-use crate::lab::charts::Charts;
-use crate::lab::curve::Measured;
-use crate::lab::drawing::overview;
-use crate::lab::savings::{LEVEL, Saving};
-use crate::lab::stability::Region;
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, lab::drawing::overview, lab::savings::LEVEL, lab::savings::Saving, view::theme, view::widgets};
+use crate::{lab::charts::Charts, lab::curve::Measured, lab::stability::Region, ui::Ui, ui::WidgetKind, words::tr};
 
 /// Where the page leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,15 +3,8 @@
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, EDGE, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::drawing::picture;
-use crate::lab::stress::picture::FailurePicture;
-use crate::lab::stress::{self, Survival};
-use crate::number::short;
-use crate::screens::screen::Request;
-use crate::ui::scroll::bar_beside;
-use crate::ui::{Turning, Ui};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::drawing::picture, number::short, screens::screen::Request, ui::Turning, ui::Ui, ui::scroll::bar_beside};
+use crate::{lab::stress, lab::stress::Survival, lab::stress::picture::FailurePicture, view::theme, view::widgets, words::tr};
 use std::collections::HashMap;
 
 const ROW: f32 = 40.0;

@@ -1,13 +1,8 @@
 use super::{Half, SideBySide, panels};
-use crate::draw::chart::{Decades, LEAST_ERROR};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::TOLERANCE;
-use crate::lab::methods::rules;
-use crate::number::{power, short};
-use crate::physics::{Aabb, DVec2};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::chart::Decades, draw::chart::LEAST_ERROR, number::power, number::short, physics::Aabb, physics::DVec2};
+use crate::{lab::TOLERANCE, lab::methods::rules, view::theme, view::widgets, words::tr};
 
 /// Height of the line at a half's foot: its error.
 const FOOT: f32 = 40.0;

@@ -3,17 +3,10 @@
 mod drawing;
 
 use super::BACK;
-use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, TEXT, Vec2};
-use crate::lab::curve::worst;
 use crate::lab::side_by_side::{BoxMotion, Exhibit, STEPS, USUAL_STEP, error, exhibits};
-use crate::number;
-use crate::physics::{Aabb, DVec2};
-use crate::screens::screen::Request;
-use crate::settings::Key;
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, lab::curve::worst, number, settings::Key, words::tr};
+use crate::{physics::Aabb, physics::DVec2, screens::screen::Request, ui::Ui, ui::WidgetKind, view::theme, view::widgets};
 use std::collections::VecDeque;
 
 /// s. The most of a hitch that counts.
