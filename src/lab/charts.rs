@@ -70,20 +70,12 @@ impl Charts {
             (STRESS.to_owned(), table(&STRESS_HEAD, stress)),
             (savings::FILE.to_owned(), savings::csv(&self.savings)),
         ];
-        files.extend(self.diagrams.iter().map(|measured| (points_file(&measured.name), points(measured))));
+        files.extend(self.diagrams.iter().map(|measured| (format!("{}.csv", measured.name), points(measured))));
         let followed =
             self.diagrams.iter().filter_map(|measured| measured.over_time.as_ref().map(|over_time| (measured, over_time)));
-        files.extend(followed.map(|(measured, over_time)| (courses_file(&measured.name), courses(over_time))));
+        files.extend(followed.map(|(measured, over_time)| (format!("{}-over-time.csv", measured.name), courses(over_time))));
         files
     }
-}
-
-fn points_file(scene: &str) -> String {
-    format!("{scene}.csv")
-}
-
-fn courses_file(scene: &str) -> String {
-    format!("{scene}-over-time.csv")
 }
 
 fn courses(over_time: &OverTime) -> String {
@@ -144,7 +136,7 @@ fn diagram(row: &CsvRow<'_>, file: &impl Fn(&str) -> Result<String, String>) -> 
     if name.is_empty() || !name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-') {
         return Err(row.bad_cell("scene", "a name of letters a to z, digits and -"));
     }
-    let points_file = points_file(&name);
+    let points_file = format!("{name}.csv");
     let mut curves: Vec<MethodCurve> = Vec::new();
     for row in rows(&points_file, &file(&points_file)?, &POINTS_HEAD)? {
         let (origin, method) = (origin(&row)?, row.get("method"));
@@ -185,7 +177,7 @@ fn origin(row: &CsvRow<'_>) -> Result<CurveOrigin, String> {
 
 /// The courses of a scene that was followed at that step.
 fn over_time(scene: &str, step: f64, file: &impl Fn(&str) -> Result<String, String>) -> Result<OverTime, String> {
-    let name = courses_file(scene);
+    let name = format!("{scene}-over-time.csv");
     let mut courses: Vec<MethodCurve<CoursePoint>> = Vec::new();
     for row in rows(&name, &file(&name)?, &COURSES_HEAD)? {
         let (origin, method) = (origin(&row)?, row.get("method"));

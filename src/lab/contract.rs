@@ -99,11 +99,8 @@ pub trait Model: Clone {
     }
 
     fn running(&self, by: By<Self::Method>, h: f64) -> Running<Self> {
-        let stepper = match by {
-            By::Hand(method) => Some(Stepper::Hand(method)),
-            By::Engine => self.world().map(|world| Stepper::Engine(Box::new(world))),
-        };
-        Running { model: self.clone(), state: self.start(), stepper, h, steps: 0 }
+        let world = if let By::Engine = by { self.world() } else { None };
+        Running { model: self.clone(), state: self.start(), by, world, h, steps: 0 }
     }
 }
 
@@ -114,15 +111,11 @@ fn steps(seconds: f64, h: f64) -> u64 {
 pub struct Running<M: Model> {
     model: M,
     state: M::State,
-    /// None where the engine refuses the model.
-    stepper: Option<Stepper<M::Method>>,
+    by: By<M::Method>,
+    /// The engine's; none where it refuses the model.
+    world: Option<World>,
     h: f64,
     steps: u64,
-}
-
-enum Stepper<S> {
-    Hand(S),
-    Engine(Box<World>),
 }
 
 impl<M: Model> Running<M> {
@@ -135,9 +128,10 @@ impl<M: Model> Running<M> {
     pub fn step(&mut self) -> Option<(f64, &M::State)> {
         self.steps += 1;
         let time = self.steps as f64 * self.h;
-        match self.stepper.as_mut()? {
-            Stepper::Hand(method) => self.model.step(*method, &mut self.state, self.h),
-            Stepper::Engine(world) => {
+        match self.by {
+            By::Hand(method) => self.model.step(method, &mut self.state, self.h),
+            By::Engine => {
+                let world = self.world.as_mut()?;
                 world.step(self.h);
                 self.model.read(world, time, &mut self.state);
             }
@@ -196,13 +190,6 @@ impl LabScene {
             methods: Vec::new(),
             world: None,
         }
-    }
-}
-
-impl std::fmt::Debug for LabScene {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let methods: Vec<_> = self.methods.iter().map(|method| &method.name).collect();
-        f.debug_struct("Scene").field("name", &self.name).field("methods", &methods).finish_non_exhaustive()
     }
 }
 

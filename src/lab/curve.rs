@@ -83,7 +83,7 @@ impl MethodCurve {
         if self.name == ADAPTIVE { format!("{} m/s", short(tolerance(point.step))) } else { step(point.step) }
     }
 
-    /// The order p, by which halving the step divides the error by 2ᵖ: the median of the slopes in [`FITTED`]; none where they disagree or are too few.
+    /// The order p, by which halving the step divides the error by 2ᵖ: the median of the slopes in `FITTED`; none where they disagree or are too few.
     pub fn order(&self) -> Option<f64> {
         if self.name == ADAPTIVE {
             return None;
@@ -251,7 +251,6 @@ pub(super) const fn of_flags(name: &'static str) -> CsvColumn {
     }
 }
 
-/// A column of [`not_negative`] numbers.
 pub(super) const fn of_amounts(name: &'static str) -> CsvColumn {
     CsvColumn {
         name,

@@ -47,7 +47,6 @@ pub fn is_of_peers(scene: &str) -> bool {
     SINGLE.split_whitespace().any(|name| name == scene) || OF_SIZES.iter().any(|scenes| has_size(scenes, scene))
 }
 
-/// Whether that is one of those scenes with its number of bodies behind it.
 fn has_size(scenes: &str, scene: &str) -> bool {
     scene.strip_prefix(scenes).and_then(|rest| rest.strip_prefix('-')).is_some_and(|size| size.parse::<u32>().is_ok())
 }

@@ -155,7 +155,6 @@ fn verdicts(text: &mut String, diagrams: &[Measured]) {
     }
 }
 
-/// The largest N that each step counts right, and its cost.
 fn pi_table(text: &mut String, measured: &Measured) {
     text.push_str("\n## π from collisions in time steps\n\n| step | right up to N | its CPU time, ns |\n|---|---|---|\n");
     let by_hand: Vec<&MethodCurve> = measured.curves.iter().filter(|curve| curve.origin == CurveOrigin::Lab).collect();
@@ -308,7 +307,6 @@ impl PageFigures<'_> {
             let times = peer.point.work / ours.work;
             let (mark, percent) = (if times < 1.0 { "**" } else { "" }, (100.0 * ours.spread).round());
             let (each, theirs, own) = (short(ours.work * ours.step), short(peer.point.error), short(ours.error));
-            // Writing to a string never fails.
             let _ = writeln!(
                 text,
                 "| `{scene}` | {each} | {percent} % | {mark}× {}{mark} {} | {theirs} | {own} |",

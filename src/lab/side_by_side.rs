@@ -27,7 +27,6 @@ pub struct Exhibit {
     pub bound: Option<DVec2>,
     /// m.
     pub start: Vec<Aabb>,
-    /// The exact motion.
     pub exact: MotionStart,
     /// By name; the last one is the shipped engine.
     pub methods: Vec<(&'static str, MotionStart)>,

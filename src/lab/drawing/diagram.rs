@@ -15,7 +15,6 @@ const NAMED: i32 = 9;
 /// The selection of a diagram.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Picked {
-    /// Index of a curve.
     pub curve: Option<usize>,
     /// The point under the pointer: its curve and its place in it.
     pub point: Option<(usize, usize)>,

@@ -35,7 +35,6 @@ fn names_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) -
     }
 }
 
-/// The curves by name; `picked` is highlighted.
 pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: Option<usize>) {
     let (names, size) = names_of_curves(canvas, plot, measured);
     for (index, (curve, name)) in measured.curves.iter().zip(&names).enumerate() {
@@ -78,7 +77,6 @@ pub(super) fn legend_of_tolerance(canvas: &Canvas, plot: &DiagramPlaces, measure
     note(canvas, plot, (measured.curves.len(), names_of_curves(canvas, plot, measured).1), &sample, words);
 }
 
-/// The meaning of the marks that are not curves.
 pub(super) fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     let size = names_of_curves(canvas, plot, measured).1;
     let mut line = measured.curves.len();

@@ -52,7 +52,6 @@ pub fn diagram(canvas: &Canvas, area: Area, measured: &Measured) {
     canvas.rounded_edge(plot, 0.0, 1.0, theme::solid());
     canvas.text(&power(axes.work.from), Vec2::new(plot.min.x, end.y + 0.3 * below), quiet);
     canvas.text(&power(axes.work.to), Vec2::new(end.x, end.y + 0.3 * below), quiet.right());
-    // As many as there is room for.
     for exponent in axes.error.named((plot.size.y / (1.3 * text)).clamp(1.0, 4.0) as i32) {
         let y = plot.part((0.0, axes.error.part(10f64.powi(exponent)))).y;
         canvas.hairline(Vec2::new(plot.min.x, y), Vec2::new(end.x, y), theme::panel_edge());

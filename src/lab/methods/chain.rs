@@ -1,5 +1,5 @@
 //! Bodies in contact along an axis, by the contact solvers of games: v[j+1] − v[j] ≥ −gap/h by impulses λ ≥ 0, and across friction within ±μ·λ.
-//! Sequential impulses (projected Gauss–Seidel): E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005. Soft contacts: "Solver2D", 2024.
+//! Sequential impulses (projected Gauss–Seidel): E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005. Soft: "Solver2D", 2024, as "TGS soft".
 //! Positions: M. Macklin et al., "XPBD", Motion in Games 2016, and "Small Steps in Physics Simulation", SCA 2019. Directly, with s_j = v_j + Σ gap/h:
 //! a weighted isotonic regression by pooling adjacent violators (M. Ayer et al., Annals of Mathematical Statistics 26, 1955).
 
@@ -97,8 +97,7 @@ impl Chain {
             across: bodies.clone(),
             slips: bodies,
             frictions: contacts,
-            friction: 0.0,
-            pull: 0.0,
+            ..Self::default()
         }
     }
 
@@ -148,20 +147,10 @@ impl Chain {
         along.chain(self.across.iter_mut().zip(&self.slips)).for_each(|(x, v)| *x += v * h);
     }
 
-    fn apply(&mut self, contact: usize, impulse: f64) {
-        self.velocities[contact] -= impulse * self.inverse_masses[contact];
-        self.velocities[contact + 1] += impulse * self.inverse_masses[contact + 1];
-    }
-
-    fn apply_across(&mut self, contact: usize, impulse: f64) {
-        self.slips[contact] -= impulse * self.inverse_masses[contact];
-        self.slips[contact + 1] += impulse * self.inverse_masses[contact + 1];
-    }
-
     fn warm_start(&mut self) {
         for contact in 0..self.impulses.len() {
-            self.apply(contact, self.impulses[contact]);
-            self.apply_across(contact, self.frictions[contact]);
+            apply(&mut self.velocities, &self.inverse_masses, contact, self.impulses[contact]);
+            apply(&mut self.slips, &self.inverse_masses, contact, self.frictions[contact]);
         }
     }
 
@@ -187,13 +176,13 @@ impl Chain {
             let known = self.impulses[contact];
             let impulse = (known - approach * mass * self.mass(contact) - known * forgets).max(0.0);
             self.impulses[contact] = impulse;
-            self.apply(contact, impulse - known);
+            apply(&mut self.velocities, &self.inverse_masses, contact, impulse - known);
             if self.friction > 0.0 {
                 let (slip, known, most) =
                     (self.slips[contact + 1] - self.slips[contact], self.frictions[contact], self.friction * impulse);
                 let held = (known - slip * self.mass(contact)).clamp(-most, most);
                 self.frictions[contact] = held;
-                self.apply_across(contact, held - known);
+                apply(&mut self.slips, &self.inverse_masses, contact, held - known);
             }
         }
     }
@@ -256,6 +245,11 @@ impl Chain {
             begin = end;
         }
     }
+}
+
+fn apply(velocities: &mut [f64], inverse_masses: &[f64], contact: usize, impulse: f64) {
+    velocities[contact] -= impulse * inverse_masses[contact];
+    velocities[contact + 1] += impulse * inverse_masses[contact + 1];
 }
 
 /// The worst relative impulse after each sweep from cold, of an anchored chain of these masses (kg) at rest; exact: the weight beyond it times the step.

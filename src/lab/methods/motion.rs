@@ -3,7 +3,7 @@
 //! G. Wanner, *Solving Ordinary Differential Equations I*, II.1 (midpoint, Heun, RK4), II.4 (control of the step); *II*, IV.3 (A-stable: implicit Euler,
 //! midpoint, trapezoid); P. Bogacki, L. F. Shampine, "A 3(2) pair of Runge–Kutta formulas", Applied Mathematics Letters 2 (1989) 321–325; H. Yoshida,
 //! "Construction of higher order symplectic integrators", Physics Letters A 150 (1990) 262–268. Exact flows of drag are in any text on mechanics, with
-//! g = A, v_t = √(g/k), τ = g·t/v_t. Implicit steps multiply y′ = λ·y by 1/(1 − z), both others by (1 + z/2)/(1 − z/2), z = h·λ, by Newton's method.
+//! g = A, v_t = √(g/k), τ = g·t/v_t. Implicit Euler multiplies y′ = λ·y by 1/(1 − z), the other two by (1 + z/2)/(1 − z/2), z = h·λ.
 
 use crate::physics::DVec2;
 
@@ -26,9 +26,7 @@ pub struct MotionLaw {
 /// Place (m) and velocity (m/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PointState {
-    /// m.
     pub x: DVec2,
-    /// m/s.
     pub v: DVec2,
 }
 

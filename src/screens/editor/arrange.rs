@@ -72,7 +72,6 @@ impl Arranged {
         }
     }
 
-    /// These rows, and those that belong to them.
     fn whole(&self, rows: &[RowId]) -> Vec<RowId> {
         let mut all = rows.to_vec();
         for group in self.groups.iter().filter(|group| group.iter().any(|row| rows.contains(row))) {

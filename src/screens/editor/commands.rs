@@ -198,7 +198,6 @@ impl Editor {
         }
     }
 
-    /// Keeps the selection in the clipboard, and takes it out of the level where it is cut.
     fn copy(&mut self, input: &Input, cuts: bool) {
         let (text, count) = self.document.copied(&self.selection);
         if count == 0 {

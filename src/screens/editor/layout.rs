@@ -51,7 +51,6 @@ pub struct Panes {
 }
 
 impl Panes {
-    /// The panes in that frame, with `problems` lines of problems.
     pub fn new(frame: &Frame, problems: usize) -> Self {
         let height_of_text = frame.text_height(DETAILS);
         let (line, letter, text) = (height_of_text * LINE, height_of_text * MONO_ADVANCE, frame.text.min(1.0));
@@ -116,7 +115,6 @@ impl Panes {
         Area::new(self.right.min.x + INSIDE, top, self.right.size.x - 2.0 * INSIDE, self.line)
     }
 
-    /// How many pictures have room there.
     pub fn offers(&self, fields: usize) -> usize {
         (((self.right.max().y - self.offer(fields, 0).min.y) / self.line) as usize).min(OFFERS)
     }

@@ -239,7 +239,6 @@ impl Editor {
         }
     }
 
-    /// Takes over the window's size, the document's rows and the level that is fitted into view.
     fn lay_out(&mut self, input: &Input) {
         if self.checked.0.is_none() && self.fitted.is_none() {
             // The room for problems is known before the level is fitted.
@@ -248,7 +247,8 @@ impl Editor {
         self.panes = Panes::new(&input.frame, self.problems.len().min(PROBLEM_LINES));
         self.view.area = self.panes.middle;
         self.pointer = input.pointer;
-        let untouched = |(view, frame): &(EditorView, Frame)| self.view.shows_as(view) && *frame != input.frame;
+        let area = self.view.area;
+        let untouched = |(view, frame): &(EditorView, Frame)| self.view == EditorView { area, ..*view } && *frame != input.frame;
         if self.fitted.as_ref().is_none_or(untouched) {
             self.show_all();
             self.fitted = Some((self.view, input.frame));

@@ -109,7 +109,6 @@ pub(super) fn show_worlds(
         let area = Area { min: Vec2::new(left + index as f32 * pitch, field.min.y + BETWEEN), size };
         let touch = ui.touch(word, area, WidgetKind::Tool);
         let palette = WorldPalette::of(landscape);
-        // A hill in front of the sky, with the light on its edge.
         let hill = Area { min: area.min + size * Vec2::new(0.0, 0.5), size: size * Vec2::new(1.0, 0.5) };
         ui.canvas().rectangle(area, palette.layers[0]);
         ui.canvas().rectangle(hill, palette.rock[0]);
@@ -125,7 +124,6 @@ pub(super) fn show_worlds(
     pressed
 }
 
-/// A material as the picture shows it, beside its name in a field.
 pub(super) fn draw_material(canvas: &Canvas, field: Area, name: &str) {
     let side = field.size.y - 2.0 * BETWEEN;
     let area = Area::new(field.max().x - side - BETWEEN, field.min.y + BETWEEN, side, side);

@@ -40,7 +40,6 @@ pub struct CellPanel {
 }
 
 impl CellPanel {
-    /// Reads these rows' cells, or the settings where there are none.
     pub fn read(&mut self, document: &Document, rows: &[RowId]) {
         let kinds: Vec<Option<Kind>> = rows.iter().map(|row| document.kind(*row)).collect();
         self.kind = kinds.first().copied().flatten().filter(|first| kinds.iter().all(|kind| *kind == Some(*first)));

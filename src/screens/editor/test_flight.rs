@@ -76,7 +76,6 @@ impl Editor {
         None
     }
 
-    /// The click that says where the ship is to start.
     pub(super) fn launch(&mut self, input: &Input) -> Option<Request> {
         let clicked = self.tool == EditorTool::Fly && input.click && self.panes.middle.contains(input.pointer);
         let request = clicked.then(|| self.fly_here()).flatten();
@@ -109,7 +108,6 @@ impl Editor {
         self.flown = Some(TestFlight { level, game: Box::new(game.clone()), trail });
     }
 
-    /// The path, the impacts, and where everything was that has moved.
     pub(super) fn draw_flown(&self, canvas: &Canvas) {
         let Some(TestFlight { level, game, trail }) = self.flown.as_ref().filter(|_| self.arranged.shows(PictureLayer::Flight))
         else {

@@ -6,7 +6,6 @@ use crate::draw::layout::{Area, DETAILS, Vec2};
 use crate::{draw::Canvas, draw::Style, level::document::Kind, level::document::LinkForm, view::theme, view::widgets};
 use crate::{settings::Key, ui::Ui, ui::WidgetKind, words::tr};
 
-/// The work of a drag in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum EditorTool {
     Select,

@@ -12,9 +12,9 @@ const ROOM: f64 = 0.025;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EditorView {
     /// The point of the picture at the top left corner of `area`, pixels.
-    origin: DVec2,
+    pub origin: DVec2,
     /// Canvas units a pixel of the picture.
-    scale: f64,
+    pub scale: f64,
     pub area: Area,
 }
 
@@ -25,15 +25,6 @@ impl Default for EditorView {
 }
 
 impl EditorView {
-    pub fn shows_as(&self, other: &Self) -> bool {
-        (self.origin, self.scale) == (other.origin, other.scale)
-    }
-
-    /// Canvas units a pixel of the picture.
-    pub const fn scale(&self) -> f64 {
-        self.scale
-    }
-
     /// From the picture to the canvas.
     pub fn point(&self, pixels: DVec2) -> Vec2 {
         self.area.min + ((pixels - self.origin) * self.scale).as_vec2()
@@ -93,7 +84,6 @@ pub struct Snap {
 }
 
 impl Snap {
-    /// Snaps to these things' edges.
     pub fn new(on: bool, reach: f64, others: impl Iterator<Item = Place>) -> Self {
         let mut edges = [Vec::new(), Vec::new()];
         for place in others.take(if on { usize::MAX } else { 0 }) {

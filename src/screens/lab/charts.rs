@@ -74,7 +74,6 @@ impl ChartsPage {
         None
     }
 
-    /// At the diagram of that name.
     pub(super) fn open(&mut self, name: &str) {
         let found = self.shown.charts.diagrams.iter().position(|measured| measured.name == name);
         self.turn_to(found.unwrap_or(self.scene));
@@ -186,7 +185,6 @@ const WORDS: f32 = 56.0;
 /// The same in heights of small text, where that is large.
 const LARGE_WORDS: f32 = 4.3;
 
-/// The tool that picks out the next curve.
 pub(super) const METHOD: (&str, Key, &str) = ("Method", Key::Down, "↓");
 
 #[derive(Debug, Default)]
@@ -219,7 +217,6 @@ impl LegendPick {
     }
 }
 
-/// The room of a page's chart.
 pub(super) fn panel(body: Area, frame: &Frame) -> Area {
     Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - words_room(frame))
 }

@@ -110,7 +110,6 @@ impl Paragraphs<'_> {
         if words.is_empty() { 0.0 } else { (lines as f32 + 0.6) * self.canvas.line_height(size) }
     }
 
-    /// A paragraph, in as many lines as it takes.
     pub fn write(&mut self, words: &str, size: f32, colour: Colour) {
         if words.is_empty() {
             return;

@@ -79,7 +79,6 @@ impl SideBySide {
         }
     }
 
-    /// The errors of both so far, in decades upwards.
     fn draw_errors(&self, canvas: &Canvas, panel: Area) {
         widgets::panel(canvas, panel);
         let decades = Decades { from: -15, to: 2 };
@@ -193,7 +192,6 @@ impl Placing {
         self.panel.centre() + Vec2::new(from_middle.x as f32, from_middle.y as f32) * self.scale
     }
 
-    /// The part of a box that is inside the panel, if any.
     fn seen(&self, body: &Aabb) -> Option<Area> {
         let inside = |point: Vec2| point.clamp(self.panel.min, self.panel.max());
         let (min, max) = (inside(self.at(body.min)), inside(self.at(body.max)));
