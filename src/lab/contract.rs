@@ -208,7 +208,7 @@ pub(super) fn crate_at(x: f64, y: f64, mass: f64) -> BodyDef {
     BodyDef { position: DVec2::new(x, -0.5 - y), mass, ..BodyDef::default() }
 }
 
-/// One body that obeys `law`, which pulls downwards only; round, since drag has no direction. Uniform wind is another frame: in it the air stands still.
+/// One body that obeys `law`, which pulls downwards only; round, since drag has no direction. Uniform wind is another frame, whose air stands still.
 pub(super) fn in_air(law: &MotionLaw, start: PointState) -> WorldDef {
     let body = BodyDef { position: start.x, velocity: start.v - law.wind, drag: 2.0 * law.drag, round: true, ..BodyDef::default() };
     WorldDef { gravity: law.constant.y, air_density: 1.0, bodies: vec![body], ..WorldDef::default() }

@@ -1,7 +1,7 @@
-//! Where methods are stable: each method's own step on the damped oscillator x″ = −|λ|²·x + 2·Re λ·x′, z = h·λ, whose matrix two starts give; it is stable
-//! where no eigenvalue of that is greater than 1. For methods that treat places and velocities alike these are R(z) of y′ = λ·y; for the others no such R
-//! exists. (E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, IV.2; *Geometric Numerical Integration*, I.1.) Games meet two rays: a
-//! swing at iω·h, and drag alone, v′ = −v/τ, at −h/τ, which has one eigenvalue and is asked by itself. Near v_t quadratic drag has 1/τ = 2·g/v_t.
+//! Where methods are stable: each method's own step on the damped oscillator x″ = −|λ|²·x + 2·Re λ·x′, z = h·λ, whose matrix two starts give; it is
+//! stable where no eigenvalue of that is greater than 1. For methods that treat places and velocities alike these are R(z) of y′ = λ·y; for others
+//! there is none (E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, IV.2; *Geometric Numerical Integration*, I.1). Games meet two
+//! rays: a swing at iω·h, and drag alone, v′ = −v/τ, at −h/τ, with one eigenvalue, asked by itself. Near v_t quadratic drag has 1/τ = 2·g/v_t.
 
 pub use super::contract::SHIPPED;
 use super::methods::motion::{ADAPTIVE, MotionLaw, MotionStep, PointState, third_order};

@@ -1,5 +1,5 @@
-//! Bodies in contact along an axis, by the contact solvers of games: v[j+1] − v[j] ≥ −gap/h by impulses λ ≥ 0, and across friction within ±μ·λ.
-//! Sequential impulses (projected Gauss–Seidel): E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005. Soft: "Solver2D", 2024, as "TGS soft".
+//! Bodies in contact along an axis, by contact solvers of games: v[j+1] − v[j] ≥ −gap/h by impulses λ ≥ 0, and across friction within ±μ·λ.
+//! Sequential impulses (projected Gauss–Seidel): E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005. Soft: "Solver2D", 2024.
 //! Positions: M. Macklin et al., "XPBD", Motion in Games 2016, and "Small Steps in Physics Simulation", SCA 2019. Directly, with s_j = v_j + Σ gap/h:
 //! a weighted isotonic regression by pooling adjacent violators (M. Ayer et al., Annals of Mathematical Statistics 26, 1955).
 
@@ -252,7 +252,7 @@ fn apply(velocities: &mut [f64], inverse_masses: &[f64], contact: usize, impulse
     velocities[contact + 1] += impulse * inverse_masses[contact + 1];
 }
 
-/// The worst relative impulse after each sweep from cold, of an anchored chain of these masses (kg) at rest; exact: the weight beyond it times the step.
+/// The worst relative impulse after each sweep from cold, of an anchored chain of these masses (kg) at rest; exact: the weight beyond it times h.
 pub fn swept_loads(masses: &[f64]) -> impl Iterator<Item = f64> + use<> {
     let mut chain = Chain::new(masses, true);
     chain.velocities[1..].fill(-1.0);

@@ -93,7 +93,7 @@ pub fn exact(blocks: &mut [LineBlock], e: f64, h: f64) {
     advance(blocks, left);
 }
 
-/// All that touch at once, each for −e times its approach (by many sweeps): right momentum and, at e = 1, energy, but a cradle of 3 leaves with −⅓, ⅔, ⅔.
+/// All that touch at once, each for −e times its approach (many sweeps): right momentum and, at e = 1, energy, but 3 of a cradle leave with −⅓, ⅔, ⅔.
 pub fn at_once(blocks: &mut [LineBlock], e: f64, h: f64) {
     let Some((_, t)) = first(blocks, h) else { return advance(blocks, h) };
     advance(blocks, t);

@@ -1,4 +1,4 @@
-//! The methods that games use, as plain as in textbooks: pure functions of a state and a step, to be measured beside the engine, which uses none of them.
+//! The methods that games use, as plain as in textbooks: pure functions of a state and a step, to be measured beside the engine, which uses none.
 
 pub mod bounce;
 pub mod chain;

@@ -1,9 +1,9 @@
-//! Smooth motion: one step of length h of a point under v′ = A − s·x − (k·|u| + c)·u, u = v − w, by each of the usual integrators, also where it fails.
-//! Sources: E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, I.1 (Euler's methods, Verlet), II.5 (splitting); E. Hairer, S. Nørsett,
-//! G. Wanner, *Solving Ordinary Differential Equations I*, II.1 (midpoint, Heun, RK4), II.4 (control of the step); *II*, IV.3 (A-stable: implicit Euler,
-//! midpoint, trapezoid); P. Bogacki, L. F. Shampine, "A 3(2) pair of Runge–Kutta formulas", Applied Mathematics Letters 2 (1989) 321–325; H. Yoshida,
-//! "Construction of higher order symplectic integrators", Physics Letters A 150 (1990) 262–268. Exact flows of drag are in any text on mechanics, with
-//! g = A, v_t = √(g/k), τ = g·t/v_t. Implicit Euler multiplies y′ = λ·y by 1/(1 − z), the other two by (1 + z/2)/(1 − z/2), z = h·λ.
+//! Smooth motion: one step of length h of a point under v′ = A − s·x − (k·|u| + c)·u, u = v − w, by each usual integrator, also where it fails.
+//! Sources: E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, I.1 (Euler's methods, Verlet), II.5 (splitting); E. Hairer,
+//! S. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.1 (midpoint, Heun, RK4), II.4 (control of the step); *II*, IV.3 (A-stable:
+//! implicit Euler, midpoint, trapezoid); P. Bogacki, L. F. Shampine, "A 3(2) pair of Runge–Kutta formulas", Applied Mathematics Letters 2 (1989)
+//! 321–325; H. Yoshida, "Construction of higher order symplectic integrators", Physics Letters A 150 (1990) 262–268. Exact flows of drag are in any
+//! text on mechanics; g = A, v_t = √(g/k), τ = g·t/v_t. Implicit Euler takes y′ = λ·y by 1/(1 − z), the other two by (1 + z/2)/(1 − z/2), z = h·λ.
 
 use crate::physics::DVec2;
 

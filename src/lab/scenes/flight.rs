@@ -1,4 +1,4 @@
-//! Flight: without drag, where x = x₀ + v₀·t + g·t²/2; a fall, a rise, a thick liquid, whose flows are exact; a throw and a gust without a closed form:
+//! Flight: without drag, where x = x₀ + v₀·t + g·t²/2; a fall, a rise, a thick liquid, whose flows are exact; throw and gust without a closed form:
 //! by RK4 with a step of 1e-5 s, finer where drag is fast, and, as a check, by a method that shares neither its equation nor its code: with
 //! q = exp(∫k|u|dt), Q = ∫q dt the velocity in the air's frame is u = (u₀ + A·Q)/Q′ exactly, and Q″ = k·|u₀ + A·Q| is one scalar equation.
 

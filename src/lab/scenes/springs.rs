@@ -1,4 +1,4 @@
-//! Bodies on springs, which are links of the engine's world, and pendulums. Explicit Euler spirals outwards, symplectic methods stay, the engine is exact.
+//! Bodies on springs, which are links of the engine's world, and pendulums. Explicit Euler spirals outwards, symplectic methods stay, ours is exact.
 
 use super::flight::{FlyingBody, over_tolerances};
 use crate::lab::{LabScene, SceneMethod};

@@ -1,4 +1,4 @@
-//! The editor's panes, each as wide as its words need: tools at the left, the panel at the right, problems below, commands above, the picture between.
+//! The editor's panes, each as wide as its words need: tools at the left, the panel at the right, problems below, commands above, picture between.
 
 use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
 
