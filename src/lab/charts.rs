@@ -1,13 +1,11 @@
-//! The findings of one run of `resultant chart`, as CSV and back: `setting.csv` names the machine, `scenes.csv` lists the diagrams;
-//! each scene has a file of points, and one of courses over time where it was followed; `stress.csv` holds the limits of each method.
+//! One run of `resultant chart` as CSV and back: the machine, the diagrams, a file of points and one of courses a scene, the limits of each method.
 //! Numbers are in the shortest form that reads back as the same f64; an error of `inf` or `NaN` is a run that blew up.
 
 use super::curve::{
     CoursePoint, MOST_CURVES, Measured, MethodCurve, OverTime, PI, WorkPoint, above_zero, curve_of, error, head, of_flags,
     of_words, rows, shortest, table, work_point,
 };
-use super::savings::{self, Saving};
-use super::stress::Survival;
+use super::{savings, savings::Saving, stress::Survival};
 use crate::files::{CsvColumn, CsvRow, CsvStruct};
 use crate::{draw::chart::CurveOrigin, physics::SOURCES};
 use serde::Deserialize;
@@ -72,20 +70,12 @@ impl Charts {
             (STRESS.to_owned(), table(&STRESS_HEAD, stress)),
             (savings::FILE.to_owned(), savings::csv(&self.savings)),
         ];
-        files.extend(self.diagrams.iter().map(|measured| (points_file(&measured.name), points(measured))));
+        files.extend(self.diagrams.iter().map(|measured| (format!("{}.csv", measured.name), points(measured))));
         let followed =
             self.diagrams.iter().filter_map(|measured| measured.over_time.as_ref().map(|over_time| (measured, over_time)));
-        files.extend(followed.map(|(measured, over_time)| (courses_file(&measured.name), courses(over_time))));
+        files.extend(followed.map(|(measured, over_time)| (format!("{}-over-time.csv", measured.name), courses(over_time))));
         files
     }
-}
-
-fn points_file(scene: &str) -> String {
-    format!("{scene}.csv")
-}
-
-fn courses_file(scene: &str) -> String {
-    format!("{scene}-over-time.csv")
 }
 
 fn courses(over_time: &OverTime) -> String {
@@ -146,7 +136,7 @@ fn diagram(row: &CsvRow<'_>, file: &impl Fn(&str) -> Result<String, String>) -> 
     if name.is_empty() || !name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-') {
         return Err(row.bad_cell("scene", "a name of letters a to z, digits and -"));
     }
-    let points_file = points_file(&name);
+    let points_file = format!("{name}.csv");
     let mut curves: Vec<MethodCurve> = Vec::new();
     for row in rows(&points_file, &file(&points_file)?, &POINTS_HEAD)? {
         let (origin, method) = (origin(&row)?, row.get("method"));
@@ -187,7 +177,7 @@ fn origin(row: &CsvRow<'_>) -> Result<CurveOrigin, String> {
 
 /// The courses of a scene that was followed at that step.
 fn over_time(scene: &str, step: f64, file: &impl Fn(&str) -> Result<String, String>) -> Result<OverTime, String> {
-    let name = courses_file(scene);
+    let name = format!("{scene}-over-time.csv");
     let mut courses: Vec<MethodCurve<CoursePoint>> = Vec::new();
     for row in rows(&name, &file(&name)?, &COURSES_HEAD)? {
         let (origin, method) = (origin(&row)?, row.get("method"));

@@ -1,10 +1,5 @@
-//! The one contract of the lab. A [`Model`] is a motion that can be stepped: by methods by hand, and by the shipped engine in a world that
-//! holds the same. Scenes, stress tests and side by side run each method of a model through [`Model::end`] or
-//! [`Model::running`], and differ only in their questions to the states.
-//!
-//! A scene: a question with an exact answer, and the methods that are to answer it.
-//!
-//! Worlds of the shipped engine for the lab's models, with the game's defaults.
+//! The one contract of the lab: a [`Model`] is a motion that is stepped by methods by hand, and by the shipped engine in a world that holds the same.
+//! A scene is a question with an exact answer, and the methods that are to answer it.
 
 use super::methods::motion::{MotionLaw, PointState};
 use super::{TOLERANCE, curve::CoursePoint, methods::impact::LineBlock};
@@ -104,11 +99,8 @@ pub trait Model: Clone {
     }
 
     fn running(&self, by: By<Self::Method>, h: f64) -> Running<Self> {
-        let stepper = match by {
-            By::Hand(method) => Some(Stepper::Hand(method)),
-            By::Engine => self.world().map(|world| Stepper::Engine(Box::new(world))),
-        };
-        Running { model: self.clone(), state: self.start(), stepper, h, steps: 0 }
+        let world = if let By::Engine = by { self.world() } else { None };
+        Running { model: self.clone(), state: self.start(), by, world, h, steps: 0 }
     }
 }
 
@@ -119,15 +111,11 @@ fn steps(seconds: f64, h: f64) -> u64 {
 pub struct Running<M: Model> {
     model: M,
     state: M::State,
-    /// None where the engine refuses the model.
-    stepper: Option<Stepper<M::Method>>,
+    by: By<M::Method>,
+    /// The engine's; none where it refuses the model.
+    world: Option<World>,
     h: f64,
     steps: u64,
-}
-
-enum Stepper<S> {
-    Hand(S),
-    Engine(Box<World>),
 }
 
 impl<M: Model> Running<M> {
@@ -140,9 +128,10 @@ impl<M: Model> Running<M> {
     pub fn step(&mut self) -> Option<(f64, &M::State)> {
         self.steps += 1;
         let time = self.steps as f64 * self.h;
-        match self.stepper.as_mut()? {
-            Stepper::Hand(method) => self.model.step(*method, &mut self.state, self.h),
-            Stepper::Engine(world) => {
+        match self.by {
+            By::Hand(method) => self.model.step(method, &mut self.state, self.h),
+            By::Engine => {
+                let world = self.world.as_mut()?;
                 world.step(self.h);
                 self.model.read(world, time, &mut self.state);
             }
@@ -204,13 +193,6 @@ impl LabScene {
     }
 }
 
-impl std::fmt::Debug for LabScene {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let methods: Vec<_> = self.methods.iter().map(|method| &method.name).collect();
-        f.debug_struct("Scene").field("name", &self.name).field("methods", &methods).finish_non_exhaustive()
-    }
-}
-
 /// A floor whose top is at y = 0.
 pub(super) fn floor() -> SurfaceDef {
     SurfaceDef::fixed(Aabb::new(DVec2::new(-1e4, 0.0), DVec2::new(1e4, 1.0)), Material::ASPHALT)
@@ -226,15 +208,13 @@ pub(super) fn crate_at(x: f64, y: f64, mass: f64) -> BodyDef {
     BodyDef { position: DVec2::new(x, -0.5 - y), mass, ..BodyDef::default() }
 }
 
-/// A world with one body that obeys `law`, which pulls downwards only. The body is round, since the law's drag does not depend on the
-/// direction. Uniform wind is another frame of reference: in it the air stands still.
+/// One body that obeys `law`, which pulls downwards only; round, since drag has no direction. Uniform wind is another frame, whose air stands still.
 pub(super) fn in_air(law: &MotionLaw, start: PointState) -> WorldDef {
     let body = BodyDef { position: start.x, velocity: start.v - law.wind, drag: 2.0 * law.drag, round: true, ..BodyDef::default() };
     WorldDef { gravity: law.constant.y, air_density: 1.0, bodies: vec![body], ..WorldDef::default() }
 }
 
-/// A world with one box of 1 m in a liquid of that density (kg/m³), so thick that it slows the box of `mass` kg by `viscous` of its
-/// velocity a second: Stokes' 3π·η·d/m with d = 1 m.
+/// One box of 1 m and `mass` kg in a liquid (kg/m³) so thick that it takes `viscous` of its velocity a second: Stokes' 3π·η·d/m with d = 1 m.
 pub(super) fn in_liquid(viscous: f64, density: f64, mass: f64, gravity: f64, start: PointState) -> WorldDef {
     let zone = Aabb::around(start.x, DVec2::splat(1e4));
     let fluid = FluidDef { zone, density, viscosity: viscous * mass / (3.0 * std::f64::consts::PI) };

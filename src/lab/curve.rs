@@ -1,17 +1,9 @@
-//! A method's curve: the numbers of its runs, and the order that they show.
-//!
-//! The course of a method while a scene runs: its error and its energy over time, which a final error hides. A method that gains
-//! energy slowly, one whose clock is wrong, and one that is merely coarse may end equally far from the truth.
-//!
-//! The numbers behind a scene's diagrams.
-//!
-//! Rows of numbers and words under a head, as CSV and back. Numbers are in the shortest form that reads back as the same f64. A
-//! refusal names file, line and column.
+//! The numbers behind a scene's diagrams: a method's errors at its steps, its order, and its course over time, which a final error hides.
+//! Rows under a head as CSV and back, numbers in the shortest form that reads back as the same f64. A refusal names file, line and column.
 
 use super::methods::motion::{ADAPTIVE, tolerance};
 use crate::files::{CsvColumn, CsvFile, CsvRow, csv_line};
-use crate::number::{short, step};
-use crate::{draw::chart::CurveOrigin, physics::SOURCES};
+use crate::{draw::chart::CurveOrigin, number::short, number::step, physics::SOURCES};
 
 /// One run of a method at one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,8 +86,7 @@ impl MethodCurve {
         if self.name == ADAPTIVE { format!("{} m/s", short(tolerance(point.step))) } else { step(point.step) }
     }
 
-    /// The order of convergence p: halving the step divides the error by 2ᵖ. It is the median of the slopes between neighbouring steps,
-    /// where the error is neither of the motion's own size nor rounding; nothing where these disagree, or are fewer than two.
+    /// The order p, by which halving the step divides the error by 2ᵖ: the median of the slopes in `FITTED`; none where they disagree or are too few.
     pub fn order(&self) -> Option<f64> {
         if self.name == ADAPTIVE {
             return None;
@@ -269,7 +260,6 @@ pub(super) const fn of_flags(name: &'static str) -> CsvColumn {
     }
 }
 
-/// A column of [`not_negative`] numbers.
 pub(super) const fn of_amounts(name: &'static str) -> CsvColumn {
     CsvColumn {
         name,

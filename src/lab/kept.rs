@@ -1,13 +1,9 @@
-//! The charts that come with the game, as its authors measured them: the files of `docs/charts`. The game shows them where
-//! `resultant chart` has not been run.
-//!
-//! Other engines' points, from the file that `benches/peers` wrote: the same scenes, measured on one machine in one run. A scene of the lab gets
-//! their points into its diagram, a curve for each version and setting. Scenes that no method by hand could run make diagrams of their own.
+//! The charts that come with the game, shown where `resultant chart` has not been run, and other engines' points, which `benches/peers` wrote.
+//! A scene of the lab gets these as curves, one a version and setting; scenes that no method by hand could run make diagrams of their own.
 
 use super::curve::{GROWTH, MOST_CURVES, Measured, NUMBERS, WorkPoint, curve_of, not_negative, rows, work_point};
 use super::{TOLERANCE, charts::Charts};
-use crate::draw::chart::CurveOrigin;
-use crate::files::{CsvRow, SHIPPED};
+use crate::{draw::chart::CurveOrigin, files::CsvRow, files::SHIPPED};
 
 /// Errors: as [`Charts::read`]: a file was damaged before the build.
 pub fn charts() -> Result<Charts, String> {
@@ -18,7 +14,7 @@ pub fn charts() -> Result<Charts, String> {
     })
 }
 
-/// The file that `benches/peers` writes beside the charts, and its columns.
+/// The file that `benches/peers` writes beside the charts.
 pub const PEERS: &str = "peers.csv";
 pub const PEERS_HEAD: [&str; 10] =
     ["scene", "engine", "version", "settings", "step", "work", "spread", "error", "overlap", "speed"];
@@ -51,7 +47,6 @@ pub fn is_of_peers(scene: &str) -> bool {
     SINGLE.split_whitespace().any(|name| name == scene) || OF_SIZES.iter().any(|scenes| size_of(scenes, scene).is_some())
 }
 
-/// Whether that is one of those scenes with its number of bodies behind it.
 /// The size at the end of a scene's name.
 fn size_of(scenes: &str, scene: &str) -> Option<u32> {
     scene.strip_prefix(scenes)?.strip_prefix('-')?.parse().ok()
@@ -166,8 +161,7 @@ impl Family {
     }
 }
 
-/// Adds the peers' points to the diagrams of their scenes, and diagrams for the scenes of engines only; leaves out all other scenes. Errors: more
-/// curves in a diagram than [`MOST_CURVES`].
+/// Adds the peers' points to their scenes, and diagrams for engines only; leaves out other scenes. Errors: more curves than [`MOST_CURVES`].
 pub fn add_peers(peers: &[PeerRow], diagrams: &mut Vec<Measured>) -> Result<(), String> {
     let mut families = FAMILIES.map(|family| (family, None::<Measured>));
     for row in peers {

@@ -1,14 +1,11 @@
-//! The findings of a run in writing: a page with all tables and diagrams, and the cheapest method of each scene.
-//!
-//! What the pages say of what was measured: texts between marks, as in `<!-- chart:savings -->…<!-- end -->`. `resultant chart` writes
-//! them; a test compares them with the charts.
+//! A run in writing: a page with all tables and diagrams, the cheapest method of each scene, and what other pages say of what was measured:
+//! texts between marks, as in `<!-- chart:savings -->…<!-- end -->`. `resultant chart` writes them; a test compares them with the charts.
 
 use super::curve::{ALIKE, EXACT, GROWTH, Measured, MethodCurve, PI, WorkPoint, shortest, table};
 use super::savings::{self, Saving, TITLE as SAVINGS};
 use super::stability::{Region, SHIPPED, SHIPPED_LIMITS, SVG, TITLE, limit};
 use super::{charts::Charts, kept::PeerRow};
-use crate::draw::chart::CurveOrigin;
-use crate::number::{short, step};
+use crate::{draw::chart::CurveOrigin, number::short, number::step};
 use std::{collections::BTreeSet, fmt::Write};
 
 /// The shipped engine's cost in a scene, beside the cheapest there.
@@ -158,7 +155,6 @@ fn verdicts(text: &mut String, diagrams: &[Measured]) {
     }
 }
 
-/// The largest N that each step counts right, and its cost.
 fn pi_table(text: &mut String, measured: &Measured) {
     text.push_str("\n## π from collisions in time steps\n\n| step | right up to N | its CPU time, ns |\n|---|---|---|\n");
     let by_hand: Vec<&MethodCurve> = measured.curves.iter().filter(|curve| curve.origin == CurveOrigin::Lab).collect();
@@ -311,7 +307,6 @@ impl PageFigures<'_> {
             let times = peer.point.work / ours.work;
             let (mark, percent) = (if times < 1.0 { "**" } else { "" }, (100.0 * ours.spread).round());
             let (each, theirs, own) = (short(ours.work * ours.step), short(peer.point.error), short(ours.error));
-            // Writing to a string never fails.
             let _ = writeln!(
                 text,
                 "| `{scene}` | {each} | {percent} % | {mark}× {}{mark} {} | {theirs} | {own} |",

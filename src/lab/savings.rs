@@ -1,5 +1,4 @@
-//! No more than a scene needs: the parts of the model that each level, experiment and scene of the Lab runs and leaves out, and what it
-//! would cost to run them all.
+//! The parts of the model that each level, experiment and scene of the Lab runs and leaves out, and what it would cost to run them all.
 
 use super::curve::{above_zero, not_negative, rows, shortest, table};
 use crate::game::{Controls, Game, TICK_RATE};
@@ -13,25 +12,13 @@ pub const TITLE: &str = "No more than a scene needs: time a tick as it runs, and
 pub const LEVEL: &str = "level";
 /// As many as [`OPTIONAL`] has parts, and one for direct answers.
 const PARTS: usize = OPTIONAL.len() + 1;
-const HEAD: [&str; 10 + PARTS] = [
-    "of",
-    "scene",
-    "version",
-    "parts",
-    "left_out",
-    "same_bits",
-    "work",
-    "spread",
-    "everything",
-    "everything_spread",
-    "air",
-    "streams",
-    "liquids",
-    "links",
-    "moving",
-    "bounces",
-    "direct",
-];
+const ROW: [&str; 6] = ["of", "scene", "version", "parts", "left_out", "same_bits"];
+const TIMES: [&str; 4] = ["work", "spread", "everything", "everything_spread"];
+const COSTS: [&str; PARTS] = ["air", "streams", "liquids", "links", "moving", "bounces", "direct"];
+
+fn head() -> Vec<&'static str> {
+    [&ROW[..], &TIMES, &COSTS].concat()
+}
 
 /// A row; times are ns a tick.
 #[derive(Clone, Debug, PartialEq)]
@@ -134,7 +121,7 @@ pub fn csv(savings: &[Saving]) -> String {
         let costs = row.costs.map(|cost| cost.map_or_else(String::new, shortest));
         words.into_iter().chain([row.same_bits.to_string()]).chain(times).chain(costs).collect()
     };
-    table(&HEAD, savings.iter().map(row))
+    table(&head(), savings.iter().map(row))
 }
 
 /// Errors: file and line of the first row that cannot be read.
@@ -142,7 +129,7 @@ pub fn read(text: &str) -> Result<Vec<Saving>, String> {
     let saving = |row: CsvRow<'_>| {
         let word = |column| row.get(column).to_owned();
         let mut costs = [None; PARTS];
-        for (cost, column) in costs.iter_mut().zip(&HEAD[10..]).filter(|(_, column)| !row.get(column).is_empty()) {
+        for (cost, column) in costs.iter_mut().zip(&COSTS).filter(|(_, column)| !row.get(column).is_empty()) {
             *cost = Some(row.parse(column, "a number, or nothing", |cost: &f64| cost.is_finite())?);
         }
         Ok(Saving {
@@ -157,7 +144,7 @@ pub fn read(text: &str) -> Result<Vec<Saving>, String> {
             costs,
         })
     };
-    rows(FILE, text, &HEAD)?.into_iter().map(saving).collect()
+    rows(FILE, text, &head())?.into_iter().map(saving).collect()
 }
 
 /// What each part costs, in a sentence.

@@ -1,13 +1,10 @@
 //! Methods on the same scene at the same time, to be watched: boxes that move, a step at a time, and their exact places; without their drawing.
 
 use super::contract::{By, Model, contenders};
-use super::methods::motion::{MotionStep, PointState};
-use super::methods::{INTEGRATORS, METHODS};
-use super::scenes::bouncing::{self, BouncingBall};
-use super::scenes::collisions::{self, BlockLine};
-use super::scenes::flight::{self, FlyingBody};
-use super::scenes::stacks::{self, ContactChain};
+use super::{methods::INTEGRATORS, methods::METHODS, scenes::flight, scenes::flight::FlyingBody};
 use super::{methods::chain::Chain, methods::impact::LineBlock, scenes::springs};
+use super::{methods::motion::MotionStep, methods::motion::PointState, scenes::collisions, scenes::collisions::BlockLine};
+use super::{scenes::bouncing, scenes::bouncing::BouncingBall, scenes::stacks, scenes::stacks::ContactChain};
 use crate::physics::{Aabb, DVec2};
 
 /// s. The player chooses among these steps.
@@ -30,7 +27,6 @@ pub struct Exhibit {
     pub bound: Option<DVec2>,
     /// m.
     pub start: Vec<Aabb>,
-    /// The exact motion.
     pub exact: MotionStart,
     /// By name; the last one is the shipped engine.
     pub methods: Vec<(&'static str, MotionStart)>,

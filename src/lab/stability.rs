@@ -1,21 +1,12 @@
-//! Where methods are stable: regions of the complex plane of z = h·λ. Each method's own step is taken on the damped oscillator
-//! x″ = −|λ|²·x + 2·Re λ·x′, whose solutions are e^(λt) and its conjugate; as the step is linear there, two starts give its matrix, and it
-//! is stable where no eigenvalue of that is greater than 1. For methods that treat places and velocities alike these eigenvalues are
-//! R(z) of the test equation y′ = λ·y; for the others (semi-implicit Euler, Verlet, the splittings) no such R exists, and the oscillator is
-//! the smallest system that shows it. (E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, IV.2; *Geometric Numerical
-//! Integration*, I.1.)
-//!
-//! Games meet two rays: a swing lies at iω·h, and drag alone, v′ = −v/τ, at −h/τ. Near its terminal velocity v_t a fall with
-//! quadratic drag has 1/τ = 2·g/v_t, so that z = −2 there is what the stress tests call g·h/v_t = 1. Drag alone has one eigenvalue, not a
-//! pair: how far each method goes on that ray is asked of it by itself.
-//!
-//! How the regions of stability look, and their edges as CSV, with their limits on the rays of a swing and of drag alone.
+//! Where methods are stable: each method's own step on the damped oscillator x″ = −|λ|²·x + 2·Re λ·x′, z = h·λ, whose matrix two starts give; it is
+//! stable where no eigenvalue of that is greater than 1. For methods that treat places and velocities alike these are R(z) of y′ = λ·y; for others
+//! there is none (E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, IV.2; *Geometric Numerical Integration*, I.1). Games meet two
+//! rays: a swing at iω·h, and drag alone, v′ = −v/τ, at −h/τ, with one eigenvalue, asked by itself. Near v_t quadratic drag has 1/τ = 2·g/v_t.
 
 pub use super::contract::SHIPPED;
-use super::curve::{shortest, table};
 use super::methods::motion::{ADAPTIVE, MotionLaw, MotionStep, PointState, third_order};
-use super::stress::{G, largest_to};
 use super::{TICK, methods::METHODS, scenes::flight::LIGHT, scenes::oscillator};
+use super::{curve::shortest, curve::table, stress::G, stress::largest_to};
 use crate::{physics::DVec2, words::tr};
 use std::collections::HashMap;
 
@@ -56,8 +47,7 @@ pub struct Region {
     pub swing: f64,
 }
 
-/// The regions of all methods whose step is the same at any moment. For the adaptive method, the region of its parts: it takes enough
-/// of them to stay inside.
+/// Of all methods; of the adaptive one, the region of its parts: it takes enough of them to stay inside.
 pub fn regions() -> Vec<Region> {
     let of = |(name, step)| if name == ADAPTIVE { Region::of(PART, third_order) } else { Region::of(name, step) };
     METHODS.into_iter().map(of).collect()

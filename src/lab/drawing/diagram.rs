@@ -7,10 +7,8 @@ use crate::draw::chart::{Decades, FRAME, Marker, RING, TOLERANCE_DASH, dashed, m
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::curve::{GROWTH, Measured};
-use crate::lab::methods::motion::ADAPTIVE;
-use crate::number::{power, short};
-use crate::view::{theme, widgets};
 use crate::words::tr;
+use crate::{lab::methods::motion::ADAPTIVE, number::power, number::short, view::theme, view::widgets};
 
 /// The most powers of ten that an axis names.
 const NAMED: i32 = 9;
@@ -18,7 +16,6 @@ const NAMED: i32 = 9;
 /// The selection of a diagram.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Picked {
-    /// Index of a curve.
     pub curve: Option<usize>,
     /// The point under the pointer: its curve and its place in it.
     pub point: Option<(usize, usize)>,

@@ -5,11 +5,8 @@ use super::places::DiagramPlaces;
 use crate::draw::chart::{FRAME, LEAST_ERROR, Marker, RING, SAMPLE, TOLERANCE_DASH, WORDS, dashed, marker, sample};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::TOLERANCE;
 use crate::lab::curve::{GROWTH, Measured, MethodCurve, WorkPoint};
-use crate::number::short;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::TOLERANCE, number::short, view::theme, view::widgets, words::tr};
 
 /// A line of the legend: its area, the middle of its sample, and the start of its words.
 fn line_of(plot: &DiagramPlaces, line: usize) -> (Area, Vec2, Vec2) {
@@ -38,7 +35,6 @@ fn names_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) -
     }
 }
 
-/// The curves by name; `picked` is highlighted.
 pub(super) fn legend_of_curves(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured, picked: Option<usize>) {
     let (names, size) = names_of_curves(canvas, plot, measured);
     for (index, (curve, name)) in measured.curves.iter().zip(&names).enumerate() {
@@ -81,7 +77,6 @@ pub(super) fn legend_of_tolerance(canvas: &Canvas, plot: &DiagramPlaces, measure
     note(canvas, plot, (measured.curves.len(), names_of_curves(canvas, plot, measured).1), &sample, words);
 }
 
-/// The meaning of the marks that are not curves.
 pub(super) fn legend_of_marks(canvas: &Canvas, plot: &DiagramPlaces, measured: &Measured) {
     let size = names_of_curves(canvas, plot, measured).1;
     let mut line = measured.curves.len();

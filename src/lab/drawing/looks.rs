@@ -1,14 +1,10 @@
 //! How curves are called and what they look like.
 
-use crate::draw::Colour;
 use crate::draw::chart::{CurveLook, CurveOrigin, DASHES, Marker};
 use crate::lab::curve::{GROWTH, Measured, MethodCurve, slope};
-use crate::lab::kept::OURS;
-use crate::lab::methods::{METHODS, motion};
 use crate::lab::scenes::{bouncing, collisions, stacks};
-use crate::lab::stability::{PART, SHIPPED};
-use crate::view::theme;
-use crate::words::tr;
+use crate::{draw::Colour, view::theme, words::tr};
+use crate::{lab::kept::OURS, lab::methods::METHODS, lab::methods::motion, lab::stability::PART, lab::stability::SHIPPED};
 
 /// Other engines, each with a marker of its own.
 const PEERS: [(&str, Marker); 3] = [("Rapier f32", Marker::Up), ("Rapier f64", Marker::Down), ("Box2D", Marker::Square)];

@@ -1,17 +1,13 @@
 //! The Lab's first page: small pictures of its charts, without legends; curves are named where there is room.
 
 use super::looks::{look_of, name_of, shade};
-use super::places::{Axes, points_along};
-use super::plane::Plane;
+use super::{places::Axes, places::points_along, plane::Plane};
 use crate::draw::chart::{CurveOrigin, Marker, TOLERANCE_DASH, dashed, marker, stroke};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::curve::{Measured, MethodCurve};
-use crate::lab::savings::Saving;
 use crate::lab::stability::{self, Region, SHIPPED, SHIPPED_LIMITS, limit};
 use crate::number::{fixed, power, short};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::curve::Measured, lab::curve::MethodCurve, lab::savings::Saving, view::theme, view::widgets, words::tr};
 
 /// The most of a small picture's width that the plane takes.
 const MOST: f32 = 0.6;
@@ -56,7 +52,6 @@ pub fn diagram(canvas: &Canvas, area: Area, measured: &Measured) {
     canvas.rounded_edge(plot, 0.0, 1.0, theme::solid());
     canvas.text(&power(axes.work.from), Vec2::new(plot.min.x, end.y + 0.3 * below), quiet);
     canvas.text(&power(axes.work.to), Vec2::new(end.x, end.y + 0.3 * below), quiet.right());
-    // As many as there is room for.
     for exponent in axes.error.named((plot.size.y / (1.3 * text)).clamp(1.0, 4.0) as i32) {
         let y = plot.part((0.0, axes.error.part(10f64.powi(exponent)))).y;
         canvas.hairline(Vec2::new(plot.min.x, y), Vec2::new(end.x, y), theme::panel_edge());

@@ -1,19 +1,13 @@
-//! The picture of a method's failure: small, beside its line of a table, or large, with its axes.
-//! The Lab's charts on sheets of SVG.
+//! The picture of a method's failure, beside its line of a table or with its axes; the Lab's charts on sheets of SVG.
 
-use super::diagram;
-use super::places::DiagramPlaces;
-use super::plane::{self, Plane};
-use super::timeline;
+use super::{diagram, places::DiagramPlaces, plane, plane::Plane, timeline};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::curve::{ANOTHER_BUILD, Measured};
-use crate::lab::savings::{Saving, TITLE as TITLE_OF_SAVINGS};
 use crate::lab::stability::{Region, TITLE};
-use crate::lab::stress::picture::{FailurePicture, Polyline};
 use crate::number::{power, short, step};
-use crate::view::{theme, widgets};
 use crate::{draw::chart::Decades, physics::SOURCES, view::lanes::sheet, words::tr};
+use crate::{lab::curve::ANOTHER_BUILD, lab::curve::Measured, lab::savings::Saving, lab::savings::TITLE as TITLE_OF_SAVINGS};
+use crate::{lab::stress::picture::FailurePicture, lab::stress::picture::Polyline, view::theme, view::widgets};
 
 /// Above and below a large picture's plot: the names of its axes and their ends.
 const TOP: f32 = 44.0;

@@ -14,7 +14,6 @@ const LEFT: f32 = 80.0;
 const TOP: f32 = 48.0;
 /// Below the plot: the work's powers of ten, and its name.
 const BOTTOM: f32 = 64.0;
-/// Width of the legend.
 const LEGEND: f32 = 392.0;
 /// Where words are large: the letters of a note, and the width of a letter in heights of them.
 const LETTERS: f32 = 35.0;
@@ -23,7 +22,6 @@ const LETTER: f32 = 0.44;
 const MOST: f32 = 0.52;
 const BESIDE: f32 = 16.0;
 const MARGIN: f32 = 16.0;
-/// Between the plot and the legend.
 const BETWEEN: f32 = 32.0;
 /// Line height of the legend, where there is room.
 const LINE: f32 = 26.0;
@@ -114,7 +112,6 @@ impl DiagramPlaces {
         Some((orders, places.map(|min| Area { min, size }).find(free)?))
     }
 
-    /// Points along a curve, close to each other.
     pub(super) fn along(&self, curve: &MethodCurve) -> Vec<Vec2> {
         points_along(&curve.points.iter().map(|point| self.at(point)).collect::<Vec<_>>())
     }

@@ -4,23 +4,18 @@ use super::looks::{look_of, shade};
 use crate::draw::chart::{CurveLook, CurveOrigin, WORDS as WORDS_AT, marker, sample, stroke};
 use crate::draw::layout::{Area, DETAILS, Frame, TEXT, Vec2, words_width};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::methods::METHODS;
 use crate::lab::stability::{CELLS, Complex, FAR, IMAGINARY, PART, REAL, Region, SHIPPED, SHIPPED_LIMITS, examples, limit, place};
-use crate::number::fixed;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::methods::METHODS, number::fixed, view::theme, view::widgets, words::tr};
 
 /// Margins of the plane in its panel, for values and names of the axes.
 const LEFT: f32 = 64.0;
 const TOP: f32 = 48.0;
 const BOTTOM: f32 = 62.0;
-/// Width of the legend.
 const LEGEND: f32 = 400.0;
 /// The most of the panel's width that it takes.
 const LARGEST: f32 = 0.46;
 /// Above and below the legend.
 const MARGIN: f32 = 16.0;
-/// Between the plane and the legend.
 const BETWEEN: f32 = 32.0;
 /// Line height of the legend, where there is room, and of the words below it.
 const LINE: f32 = 30.0;
@@ -62,7 +57,6 @@ impl Plane {
         let scale = (room.x / spans.x).min(room.y / spans.y);
         let size = spans * scale;
         let area = Area::new(panel.min.x + LEFT + (room.x - size.x) / 2.0, panel.min.y + TOP, size.x, size.y);
-        // Its head, the methods, the engine, and the words.
         let margin = if frame.text > 1.0 { MARGIN / 3.0 } else { MARGIN };
         let inside = panel.size.y - 2.0 * margin;
         let room = inside - MARKS.len() as f32 * SMALL_LINE;
@@ -184,7 +178,6 @@ fn axes(canvas: &Canvas, plane: &Plane) {
     canvas.text(tr("real part of z: −h/τ, what fades"), Vec2::new(area.centre().x, end.y + 24.0 + down), words.centred());
 }
 
-/// The methods by name, with their limits on the two rays.
 fn legend(canvas: &Canvas, plane: &Plane, regions: &[Region], picked: Option<usize>) {
     let engine = look_of(SHIPPED, CurveOrigin::Shipped, 0);
     let words = Style::new(TEXT, theme::text()).middle();

@@ -1,21 +1,13 @@
-//! A scene over time: the error of every method above, the kept energy below. The picture of `resultant chart`, with one method
-//! picked out.
-//!
-//! The axes of a scene over time: error upwards in decades, energy in parts of what it should be, both above the same time. A
-//! moment lies at parts of the axes, 0 … 1, so that paper and screen draw the same.
+//! A scene over time: the error of every method above in decades, the kept energy below in parts of the right one; one method is picked out.
+//! A moment lies at parts of the axes, 0 … 1, so that paper and screen draw the same.
 
-use super::legend::{legend_of_curves, legend_of_tolerance};
-use super::looks::{look_of, shade};
-use super::places::DiagramPlaces;
+use super::{legend::legend_of_curves, legend::legend_of_tolerance, looks::look_of, looks::shade, places::DiagramPlaces};
 use crate::draw::chart::{CurveLook, Decades, LEAST_ERROR, TOLERANCE_DASH, dashed, marker, round_numbers, stroke};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::TOLERANCE;
 use crate::lab::curve::{CoursePoint, Measured, MethodCurve, OverTime};
 use crate::number::{power, short, step};
-use crate::view::lanes::LaneAxes;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::TOLERANCE, view::lanes::LaneAxes, view::theme, view::widgets, words::tr};
 
 /// The error's share of the height, where there is an energy, too.
 const UPPER: f32 = 0.55;

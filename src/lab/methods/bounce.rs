@@ -1,8 +1,5 @@
-//! A ball over a floor: one step of length h, with y the height above the floor (m) and v upwards (m/s), and the usual answers of
-//! games to the floor. The ball is a point; the floor is at 0.
-//!
-//! Sliding to a stop on a floor: one step of a velocity v (m/s) and a place x (m) under Coulomb friction of deceleration a = μ·g (m/s²), by the
-//! usual methods. Exact: the stop is at v₀²/2a after v₀/a.
+//! A point over a floor at 0: one step of length h of its height y (m) and velocity v upwards (m/s), with the usual answers of games to the floor.
+//! Sliding to a stop under Coulomb friction of a = μ·g (m/s²), by the usual methods. Exact: the stop is at v₀²/2a after v₀/a.
 
 /// Height above the floor, m, and velocity upwards, m/s.
 pub type Ball = (f64, f64);
@@ -35,8 +32,7 @@ pub fn verlet_snap((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
     if y < 0.0 { (0.0, -e * v) } else { (y, v) }
 }
 
-/// A velocity solver that applies restitution at every tick of contact, with the position held to the floor: at rest it keeps a
-/// velocity of e·g·h/(1+e).
+/// Restitution at every tick of contact, with the position held to the floor: at rest it keeps a velocity of e·g·h/(1+e).
 pub fn every_tick((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
     let v = v - g * h;
     let v = if y <= TOUCHING && v < 0.0 { -e * v } else { v };
@@ -56,8 +52,7 @@ pub fn swept((y, v): Ball, g: f64, e: f64, h: f64) -> Ball {
     if t > h { (y + (v - 0.5 * g * h) * h, v - g * h) } else { (0.0, e * (v - g * t).abs()) }
 }
 
-/// Exact times of impact on the parabola. After some bounces within a step the rest is the geometric series: all bounces from a
-/// take-off at w end after 2w/(g·(1−e)).
+/// Exact times of impact; after some bounces in a step the rest is the geometric series: all from a take-off at w end after 2w/(g·(1−e)).
 pub fn exact((mut y, mut v): Ball, g: f64, e: f64, h: f64) -> Ball {
     let mut left = h;
     let mut bounces = 0;

@@ -1,14 +1,7 @@
-//! A chain of bodies in contact along one axis: columns, rows, something heavy on something light. The contact solvers of games act on velocities:
-//! body j+1 must not come nearer to body j than their gap allows within the step, `v[j+1] − v[j] ≥ −gap/h`, by impulses λ ≥ 0. Here they are solved
-//! by sequential impulses (projected Gauss–Seidel; E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005), cold or warm-started or in
-//! substeps, with soft contacts, as positions, and directly. Across the axis friction acts by the same impulses, within ±μ·λ.
-//!
-//! Soft contacts (E. Catto, "Solver2D", 2024, there "TGS soft"): a damped spring of a frequency takes overlaps back, and a second sweep
-//! without it takes back the velocity that it gave. Positions (XPBD; M. Macklin, M. Müller, N. Chentanez, "XPBD", Motion in Games 2016;
-//! M. Macklin et al., "Small Steps in Physics Simulation", SCA 2019): bodies are moved out of each other, and their velocities are what they have moved.
-//!
-//! Directly: with s_j = v_j + Σ gap/h it reads s non-decreasing with the least Σ m·(s − s_free)², a weighted isotonic regression; the
-//! pool-adjacent-violators method solves it in one pass (M. Ayer et al., Annals of Mathematical Statistics 26, 1955).
+//! Bodies in contact along an axis, by contact solvers of games: v[j+1] − v[j] ≥ −gap/h by impulses λ ≥ 0, and across friction within ±μ·λ.
+//! Sequential impulses (projected Gauss–Seidel): E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005. Soft: "Solver2D", 2024.
+//! Positions: M. Macklin et al., "XPBD", Motion in Games 2016, and "Small Steps in Physics Simulation", SCA 2019. Directly, with s_j = v_j + Σ gap/h:
+//! a weighted isotonic regression by pooling adjacent violators (M. Ayer et al., Annals of Mathematical Statistics 26, 1955).
 
 /// The part of an overlap that a step of sequential impulses takes back (Baumgarte's method with a usual factor).
 const BAUMGARTE: f64 = 0.2;
@@ -43,8 +36,7 @@ impl Solver {
     }
 }
 
-/// The spring of a soft contact in a step of `h`: the part of an overlap that it takes back a second, how much of a rigid impulse it
-/// gives, and how much of the impulse so far it forgets. Rigid: Baumgarte's.
+/// Of a soft contact: the part of an overlap taken back a second, of a rigid impulse given, and of the impulse so far forgotten. Rigid: Baumgarte's.
 #[derive(Clone, Copy)]
 struct Softness {
     rate: f64,
@@ -105,8 +97,7 @@ impl Chain {
             across: bodies.clone(),
             slips: bodies,
             frictions: contacts,
-            friction: 0.0,
-            pull: 0.0,
+            ..Self::default()
         }
     }
 
@@ -156,20 +147,10 @@ impl Chain {
         along.chain(self.across.iter_mut().zip(&self.slips)).for_each(|(x, v)| *x += v * h);
     }
 
-    fn apply(&mut self, contact: usize, impulse: f64) {
-        self.velocities[contact] -= impulse * self.inverse_masses[contact];
-        self.velocities[contact + 1] += impulse * self.inverse_masses[contact + 1];
-    }
-
-    fn apply_across(&mut self, contact: usize, impulse: f64) {
-        self.slips[contact] -= impulse * self.inverse_masses[contact];
-        self.slips[contact + 1] += impulse * self.inverse_masses[contact + 1];
-    }
-
     fn warm_start(&mut self) {
         for contact in 0..self.impulses.len() {
-            self.apply(contact, self.impulses[contact]);
-            self.apply_across(contact, self.frictions[contact]);
+            apply(&mut self.velocities, &self.inverse_masses, contact, self.impulses[contact]);
+            apply(&mut self.slips, &self.inverse_masses, contact, self.frictions[contact]);
         }
     }
 
@@ -195,13 +176,13 @@ impl Chain {
             let known = self.impulses[contact];
             let impulse = (known - approach * mass * self.mass(contact) - known * forgets).max(0.0);
             self.impulses[contact] = impulse;
-            self.apply(contact, impulse - known);
+            apply(&mut self.velocities, &self.inverse_masses, contact, impulse - known);
             if self.friction > 0.0 {
                 let (slip, known, most) =
                     (self.slips[contact + 1] - self.slips[contact], self.frictions[contact], self.friction * impulse);
                 let held = (known - slip * self.mass(contact)).clamp(-most, most);
                 self.frictions[contact] = held;
-                self.apply_across(contact, held - known);
+                apply(&mut self.slips, &self.inverse_masses, contact, held - known);
             }
         }
     }
@@ -266,8 +247,12 @@ impl Chain {
     }
 }
 
-/// The relative error of the worst impulse after each sweep from cold, of an anchored chain of these masses (kg) at rest. The exact
-/// impulse is the weight of all bodies beyond it times the step.
+fn apply(velocities: &mut [f64], inverse_masses: &[f64], contact: usize, impulse: f64) {
+    velocities[contact] -= impulse * inverse_masses[contact];
+    velocities[contact + 1] += impulse * inverse_masses[contact + 1];
+}
+
+/// The worst relative impulse after each sweep from cold, of an anchored chain of these masses (kg) at rest; exact: the weight beyond it times h.
 pub fn swept_loads(masses: &[f64]) -> impl Iterator<Item = f64> + use<> {
     let mut chain = Chain::new(masses, true);
     chain.velocities[1..].fill(-1.0);
@@ -289,8 +274,7 @@ pub fn worst_load(found: &[f64], exact: &[f64]) -> f64 {
     ratios.fold(1.0, |worst: f64, ratio| if worst.is_nan() || (ratio - 1.0).abs() <= (worst - 1.0).abs() { worst } else { ratio })
 }
 
-/// Sweeps from cold until every contact's impulse of an anchored chain of these masses (kg) at rest is within `part` of its exact
-/// value; `None` if `most` do not do.
+/// Sweeps from cold until every impulse of such a chain is within `part` of its exact value; `None` if `most` do not do.
 pub fn sweeps_needed(masses: &[f64], part: f64, most: u32) -> Option<u32> {
     (1..=most).zip(swept_loads(masses)).find(|(_, load)| (load - 1.0).abs() <= part).map(|(sweeps, _)| sweeps)
 }

@@ -1,5 +1,5 @@
-//! Blocks on a line that hit each other: one step of length h by each method of finding the impact and of answering it. Pairs bounce
-//! with restitution e: v₁ −= (1+e)·(m₂/(m₁+m₂))·w, v₂ += (1+e)·(m₁/(m₁+m₂))·w with w = v₁ − v₂, and nothing else acts.
+//! Blocks on a line that hit each other with restitution e, by each method of finding the impact and of answering it:
+//! v₁ −= (1+e)·(m₂/(m₁+m₂))·w, v₂ += (1+e)·(m₁/(m₁+m₂))·w with w = v₁ − v₂, and nothing else acts.
 
 /// A block; the order of the blocks gives its neighbours.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,8 +42,7 @@ fn advance(blocks: &mut [LineBlock], t: f64) {
     }
 }
 
-/// Everything moves, then each pair that overlaps and approaches bounces. A passage within the step goes unseen: an overlap deeper
-/// than both blocks are wide counts as none.
+/// Everything moves, then each pair that overlaps and approaches bounces; an overlap deeper than both blocks are wide is a passage, and goes unseen.
 pub fn discrete(blocks: &mut [LineBlock], e: f64, h: f64) {
     advance(blocks, h);
     for i in 0..blocks.len() - 1 {
@@ -94,8 +93,7 @@ pub fn exact(blocks: &mut [LineBlock], e: f64, h: f64) {
     advance(blocks, left);
 }
 
-/// All contacts that touch are solved at once, each for −e times its approach speed (here by many sweeps): right momentum and, at
-/// e = 1, right energy, but a cradle of three leaves with −⅓, ⅔, ⅔.
+/// All that touch at once, each for −e times its approach (many sweeps): right momentum and, at e = 1, energy, but 3 of a cradle leave with −⅓, ⅔, ⅔.
 pub fn at_once(blocks: &mut [LineBlock], e: f64, h: f64) {
     let Some((_, t)) = first(blocks, h) else { return advance(blocks, h) };
     advance(blocks, t);
@@ -119,8 +117,7 @@ pub fn at_once(blocks: &mut [LineBlock], e: f64, h: f64) {
 /// Sweeps over all contacts in [`speculative`].
 const SWEEPS: u32 = 20;
 
-/// Pairs that would meet within the step are slowed down so that they only just touch at its end, and bounce then, each for −e times its first
-/// approach (E. Catto, "Continuous Collision", GDC 2013; restitution as in Box2D).
+/// Pairs that would meet just touch at the step's end and bounce then (E. Catto, "Continuous Collision", GDC 2013; restitution as in Box2D).
 pub fn speculative(blocks: &mut [LineBlock], e: f64, h: f64) {
     let contacts = blocks.len() - 1;
     let approach: Vec<f64> = (0..contacts).map(|i| blocks[i].v - blocks[i + 1].v).collect();

@@ -1,5 +1,4 @@
-//! The methods that games use, each written down as plainly as its textbook has it, as small pure functions: a state and a step in, the next state
-//! out. They are here to be measured beside the engine, which uses none of this code; scenes, references and limits are not here.
+//! The methods that games use, as plain as in textbooks: pure functions of a state and a step, to be measured beside the engine, which uses none.
 
 pub mod bounce;
 pub mod chain;

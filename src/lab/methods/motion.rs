@@ -1,17 +1,9 @@
-//! Smooth motion: one step of length h of a point under v′ = A − s·x − (k·|u| + c)·u, u = v − w, by each of the usual integrators.
-//!
-//! Nothing here but the adaptive method looks at errors: a step is taken as the textbook has it, also where it fails. Sources:
-//! E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, I.1 (Euler's methods, Verlet), II.5 (splitting); E. Hairer,
-//! S. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.1 (midpoint, Heun, RK4), II.4 (control of the step);
-//! P. Bogacki, L. F. Shampine, "A 3(2) pair of Runge–Kutta formulas", Applied Mathematics Letters 2 (1989) 321–325; H. Yoshida,
-//! "Construction of higher order symplectic integrators", Physics Letters A 150 (1990) 262–268.
-//!
-//! Exact flows of drag, where there are any: a rise and fall, drag alone, a thick liquid. Each takes a step of any length and can be
-//! cut anywhere. Derived in any text on mechanics; with g = A, v_t = √(g/k) and τ = g·t/v_t throughout.
-//!
-//! Steps whose end stands on both sides of their rule: one step of length h of the same law. All three are stable
-//! wherever the truth is (A-stable; E. Hairer, G. Wanner, *Solving Ordinary Differential Equations II*, IV.3): on y′ = λ·y they multiply
-//! by 1/(1 − z), and by (1 + z/2)/(1 − z/2) both others, z = h·λ. Each solves for the velocity at its end by Newton's method.
+//! Smooth motion: one step of length h of a point under v′ = A − s·x − (k·|u| + c)·u, u = v − w, by each usual integrator, also where it fails.
+//! Sources: E. Hairer, C. Lubich, G. Wanner, *Geometric Numerical Integration*, I.1 (Euler's methods, Verlet), II.5 (splitting); E. Hairer,
+//! S. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.1 (midpoint, Heun, RK4), II.4 (control of the step); *II*, IV.3 (A-stable:
+//! implicit Euler, midpoint, trapezoid); P. Bogacki, L. F. Shampine, "A 3(2) pair of Runge–Kutta formulas", Applied Mathematics Letters 2 (1989)
+//! 321–325; H. Yoshida, "Construction of higher order symplectic integrators", Physics Letters A 150 (1990) 262–268. Exact flows of drag are in any
+//! text on mechanics; g = A, v_t = √(g/k), τ = g·t/v_t. Implicit Euler takes y′ = λ·y by 1/(1 − z), the other two by (1 + z/2)/(1 − z/2), z = h·λ.
 
 use crate::physics::DVec2;
 
@@ -34,9 +26,7 @@ pub struct MotionLaw {
 /// Place (m) and velocity (m/s).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PointState {
-    /// m.
     pub x: DVec2,
-    /// m/s.
     pub v: DVec2,
 }
 
@@ -119,8 +109,7 @@ const ALLOWED: f64 = crate::lab::TOLERANCE / 10.0;
 /// s. The shortest part of a step that [`adaptive`] takes, whatever its error is.
 const SHORTEST: f64 = 1e-6;
 
-/// Bogacki and Shampine's pair of orders 3 and 2, which cuts each step into as many parts as keep the difference of the two within
-/// the allowed error a second. Its work follows the motion instead of the step.
+/// Bogacki and Shampine's pair of orders 3 and 2: cuts a step into as many parts as keep the difference of the two within the allowed error a second.
 pub fn adaptive(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     adaptive_to(ALLOWED, law, point, h)
 }
@@ -137,8 +126,7 @@ pub fn adaptive_to(allowed: f64, law: &MotionLaw, point: PointState, h: f64) -> 
         part = part.min(left);
         let (end, error) = bogacki_shampine(law, point, part);
         let allowed = allowed * part;
-        // The difference grows with the third power of the part, the allowed error with the first; 0.9 as in the textbook. A part
-        // whose difference is not finite is cut by the largest factor.
+        // The difference grows with the part's third power, the allowed error with the first; 0.9 as in the textbook. Not finite: the largest cut.
         let fits = if error.is_finite() { 0.9 * (allowed / error.max(f64::MIN_POSITIVE)).sqrt() } else { 0.0 };
         if error <= allowed || part <= SHORTEST {
             (point, left) = (end, if part == left { 0.0 } else { left - part });
@@ -190,8 +178,7 @@ pub fn exact_decay(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> 
     PointState { x: x + v * h, v }
 }
 
-/// Half of the forces that do not depend on the velocity, the exact decay, the other half; position by the mean of the velocities
-/// before and after the decay (Strang splitting). Second order; never diverges by drag.
+/// Half of the forces without drag, its exact decay, the other half; position by the mean velocity. Second order; never diverges by drag.
 pub fn strang(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> PointState {
     let before = v + law.pull(x) * (0.5 * h);
     let after = decay(law, before, h);
@@ -202,8 +189,7 @@ pub fn strang(law: &MotionLaw, PointState { x, v }: PointState, h: f64) -> Point
 /// The outer two of [`yoshida`]'s three parts, 1/(2 − 2^⅓); the middle one is 1 less two of these, below 0.
 const OUTER: f64 = 1.351_207_191_959_657_8;
 
-/// Three steps of [`strang`], the middle one backwards in time, so that their errors of third order cancel. Fourth order; symplectic
-/// without drag. Backwards drag speeds up: the middle part has no answer where it would from k·|u|·h = 1/1.7 on.
+/// Three of [`strang`], the middle one backwards, where drag speeds up: no answer from k·|u|·h = 1/1.7 on. Fourth order; symplectic without drag.
 pub fn yoshida(law: &MotionLaw, point: PointState, h: f64) -> PointState {
     [OUTER, 1.0 - 2.0 * OUTER, OUTER].into_iter().fold(point, |point, part| strang(law, point, part * h))
 }

@@ -1,13 +1,10 @@
-//! Elastic collisions along a line. Of a cradle of n equal blocks the last one leaves with the first one's velocity and all others stand still.
-//! A fast box against a thin obstacle. Exact: it never gets through.
-//! π from collisions: which step size still counts right, and at which cost. Exact: ⌈π/atan(√(m/M))⌉ − 1 collisions.
+//! Elastic collisions along a line. Exact: of a cradle the last block leaves with the first one's velocity; nothing gets through a thin obstacle;
+//! π from collisions counts ⌈π/atan(√(m/M))⌉ − 1.
 
-use crate::classics::pi::{Blocks, step_through};
 use crate::lab::contract::{self, By, Model};
-use crate::lab::curve::PI;
 use crate::lab::methods::impact::{ImpactStep, LineBlock, at_once, discrete, exact, speculative, swept};
-use crate::lab::{LabScene, SceneMethod};
 use crate::physics::{BodyDef, DVec2, World};
+use crate::{classics::pi::Blocks, classics::pi::step_through, lab::LabScene, lab::SceneMethod, lab::curve::PI};
 
 /// s.
 const SECONDS: f64 = 10.0;

@@ -1,18 +1,13 @@
-//! Flight: without drag, where x = x₀ + v₀·t + g·t²/2; a fall, a rise, drag alone and a thick liquid, whose flows are exact; a throw into
-//! the wind, and a gust on a light body, which have no closed form.
-//!
-//! Motion with quadratic drag in two dimensions has no closed form. It is found by RK4 with a step of 1e-5 s, finer where drag is so
-//! fast that this would be coarse, and, as a check, by a second method that shares neither its equation nor its code: with
-//! q = exp(∫k|u|dt) and Q = ∫q dt the velocity in the air's frame is u = (u₀ + A·Q)/Q′ exactly, and Q″ = k·|u₀ + A·Q| is one scalar
-//! equation.
+//! Flight: without drag, where x = x₀ + v₀·t + g·t²/2; a fall, a rise, a thick liquid, whose flows are exact; throw and gust without a closed form:
+//! by RK4 with a step of 1e-5 s, finer where drag is fast, and, as a check, by a method that shares neither its equation nor its code: with
+//! q = exp(∫k|u|dt), Q = ∫q dt the velocity in the air's frame is u = (u₀ + A·Q)/Q′ exactly, and Q″ = k·|u₀ + A·Q| is one scalar equation.
 
 use crate::lab::contract::{self, By, Model};
-use crate::lab::methods::METHODS;
 use crate::lab::methods::motion::{
     ADAPTIVE, MotionLaw, MotionStep, PointState, adaptive_to, in_liquid, rise_and_fall, rk4, tolerance,
 };
-use crate::lab::{LabScene, SceneMethod};
 use crate::physics::{BodyId, DVec2, World, WorldDef};
+use crate::{lab::LabScene, lab::SceneMethod, lab::methods::METHODS};
 
 /// N/kg.
 const G: f64 = 9.81;

@@ -1,13 +1,10 @@
-//! A floating box without drag swings for ever: K = ρ·g·A, ω = √(K/m). Exact: y = y₀·cos ωt. Here symplectic methods show
-//! their strength: their energy swings about the right one, where that of others grows or fades.
+//! A floating box without drag: K = ρ·g·A, ω = √(K/m), y = y₀·cos ωt. Symplectic methods' energy swings about the right one; others' grows or fades.
 
 use super::flight::{FlyingBody, over_tolerances};
-use crate::lab::contract::{By, Model};
 use crate::lab::curve::{CoursePoint, sampled, worst};
-use crate::lab::methods::INTEGRATORS;
 use crate::lab::methods::motion::{ADAPTIVE, MotionLaw, MotionStep, PointState};
 use crate::lab::{LabScene, SceneMethod, contract};
-use crate::physics::{BodyDef, DVec2};
+use crate::{lab::contract::By, lab::contract::Model, lab::methods::INTEGRATORS, physics::BodyDef, physics::DVec2};
 
 /// N/kg.
 pub const G: f64 = 9.81;

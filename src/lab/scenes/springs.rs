@@ -1,21 +1,17 @@
-//! A body on a spring, which is a link of the engine's world, and a pendulum on a stiffer one. Explicit Euler spirals outwards, symplectic
-//! methods stay, and the engine is exact.
+//! Bodies on springs, which are links of the engine's world, and pendulums. Explicit Euler spirals outwards, symplectic methods stay, ours is exact.
 
 use super::flight::{FlyingBody, over_tolerances};
-use crate::lab::curve::{CoursePoint, sampled};
-use crate::lab::methods::motion::{MotionLaw, PointState};
-use crate::lab::methods::{INTEGRATORS, METHODS};
 use crate::lab::{LabScene, SceneMethod};
 use crate::physics::{BodyDef, BodyId, DVec2, LinkDef, LinkEnd, LinkLaw, Spring, WorldDef};
-use crate::{lab::contract::Model, lab::scenes::flight};
+use crate::{lab::contract::Model, lab::methods::INTEGRATORS, lab::methods::METHODS, lab::scenes::flight};
+use crate::{lab::curve::CoursePoint, lab::curve::sampled, lab::methods::motion::MotionLaw, lab::methods::motion::PointState};
 
 /// N/kg.
 pub const G: f64 = 9.81;
 /// The stiffness of a pendulum's spring, in parts of g/L.
 const STIFF: f64 = 40.0;
 
-/// A body of 1 kg on a spring to the origin, 0 m long without a force, without weight. It starts `radius` m away: to the side at rest, or
-/// on a circle at ω·r. `stiffness` is ω², 1/s².
+/// 1 kg without weight on a spring to the origin, slack at 0 m, from `radius` m away, at rest or on a circle at ω·r. `stiffness` is ω², 1/s².
 pub fn oscillator(stiffness: f64, radius: f64, circles: bool) -> FlyingBody {
     let law = MotionLaw { spring: stiffness, ..MotionLaw::default() };
     let v = if circles { DVec2::new(0.0, stiffness.sqrt() * radius) } else { DVec2::ZERO };
@@ -30,8 +26,7 @@ pub fn pendulum(length: f64, angle: f64) -> FlyingBody {
     on_spring(law, PointState { x: DVec2::new(sine, cosine) * (length + G / spring), v: DVec2::ZERO })
 }
 
-/// Two bodies of 1 and 3 kg on a spring of 2 m, 3 m apart, that go round each other; the law is that of the way from the second to the
-/// first, which behaves as a body of 0.75 kg.
+/// 1 and 3 kg on a spring of 2 m, 3 m apart, go round each other; the law is of the way from the second to the first, as of a body of 0.75 kg.
 pub fn two_bodies() -> FlyingBody {
     let (masses, stiffness, length) = ([1.0, 3.0], 6.0, 2.0);
     let reduced = masses[0] * masses[1] / (masses[0] + masses[1]);

@@ -1,11 +1,9 @@
-//! Bodies in contact along an axis: a column, a heavy body on a light one, a row pushed along a floor. Exact: a resting body stays;
-//! the row accelerates with F/Σm − μg, all of it alike.
+//! Bodies in contact along an axis. Exact: a resting body stays; a row pushed along a floor accelerates with F/Σm − μg, all of it alike.
 
-use crate::lab::contract::{By, Model};
 use crate::lab::curve::worst;
-use crate::lab::methods::chain::{Chain, Solver};
 use crate::lab::{LabScene, SceneMethod, TICK, contract};
 use crate::physics::{BodyDef, BodyId, DVec2, Material, World};
+use crate::{lab::contract::By, lab::contract::Model, lab::methods::chain::Chain, lab::methods::chain::Solver};
 
 /// N/kg.
 const G: f64 = 9.81;

@@ -1,18 +1,16 @@
-//! Stress tests: the largest value that each method survives, the shipped engine among them. A function of its own for each test says
-//! whether a method survives, so that tests can call it for single values.
+//! Stress tests: the largest value that each method survives, the shipped engine among them. Functions of their own let tests try single values.
 
 pub mod motion;
 pub mod picture;
 pub mod robustness;
 pub mod standing;
 
-use crate::files::{CsvColumn, CsvStruct};
 use crate::lab::curve::{of_amounts, of_flags, of_words};
+use crate::{files::CsvColumn, files::CsvStruct, number::short};
 use picture::FailurePicture;
 use serde::Deserialize;
 
 use super::contract::Entrant;
-use crate::number::short;
 use std::collections::HashMap;
 
 /// N/kg.
@@ -50,7 +48,6 @@ impl Survival {
 
 /// Methods, and the number that grows until they fail.
 pub struct StressTest {
-    /// The condition.
     pub name: &'static str,
     /// With its unit.
     pub parameter: &'static str,
@@ -60,12 +57,6 @@ pub struct StressTest {
 }
 
 type Trial = Entrant<bool, FailurePicture>;
-
-impl std::fmt::Debug for StressTest {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("StressTest").field("name", &self.name).finish_non_exhaustive()
-    }
-}
 
 impl StressTest {
     fn of(name: &'static str, parameter: &'static str, range: (f64, f64), methods: Vec<Trial>) -> Self {
@@ -108,12 +99,10 @@ impl StressTest {
     }
 }
 
-/// Relative: how far beyond what it survives a method's failure is shown. Nearer than the first it would be there and not be seen; some
-/// methods survive again a little further on.
+/// Relative: how far beyond a failure is shown. Nearer than the first it would not be seen; some methods survive again a little further on.
 const BEYOND: [f64; 5] = [0.25, 0.1, 0.03, 0.01, 0.003];
 
-/// The largest value from `least` to `most` up to which `survives` holds: doubled until it does not, then halved in between.
-/// 0 if it does not hold for `least`.
+/// The largest value of the range up to which `survives` holds, doubled until it does not, then halved in between; 0: not for the least.
 pub fn largest(range: (f64, f64), survives: impl Fn(f64) -> bool) -> f64 {
     largest_to(RESOLUTION, range, survives)
 }
@@ -144,55 +133,42 @@ pub fn largest_to(resolution: f64, (least, most): (f64, f64), survives: impl Fn(
 /// Relative precision of [`largest`].
 const RESOLUTION: f64 = 1e-3;
 
-/// In the order of the report.
-pub const TESTS: [fn() -> StressTest; 19] = [
-    motion::terminal_velocity,
-    motion::swings,
-    motion::spring_swings,
-    motion::pendulum,
-    motion::gust_reversal,
-    motion::gust_blow_up,
-    standing::tunnelling,
-    standing::tunnelling_of_bodies,
-    standing::heavy_on_light,
-    standing::columns,
-    robustness::resting_jitter,
-    robustness::coulomb_stop,
-    robustness::zeno,
-    robustness::minute_of_bounces,
-    standing::simultaneous_impacts,
-    standing::simultaneous_impacts_in_a_crowd,
-    robustness::far_from_the_origin,
-    robustness::hitch,
-    robustness::nonsense,
+/// In the order of the report, each with what it tries, for a reader of eleven.
+const TRIED: [(fn() -> StressTest, &str); 19] = [
+    (motion::terminal_velocity, "A body falls through air: does it end at the right speed?"),
+    (motion::swings, "A floating box bobs up and down: are its swings as high after 100 of them?"),
+    (motion::spring_swings, "A body swings on a spring: does it have as much energy after 100 swings?"),
+    (motion::pendulum, "A pendulum swings: does it have as much energy after 100 swings?"),
+    (motion::gust_reversal, "Wind blows at a light body at rest: does the body ever overtake the wind?"),
+    (motion::gust_blow_up, "The same wind: does the body's speed against the air ever grow?"),
+    (standing::tunnelling, "A fast box flies at a thin wall: does the wall stop it?"),
+    (standing::tunnelling_of_bodies, "A fast box flies at a thin, loose plate: does it hit the plate?"),
+    (standing::heavy_on_light, "A heavy block lies on a light one: are the forces between them right?"),
+    (standing::columns, "Many blocks stand on each other: is each force between them right?"),
+    (robustness::resting_jitter, "A box lies on the floor: does it lie still?"),
+    (robustness::coulomb_stop, "A box slides until friction stops it: does it stop, and at the right place?"),
+    (robustness::zeno, "A ball bounces lower and lower: does it come to rest at the right time?"),
+    (robustness::minute_of_bounces, "A ball bounces for a minute without loss: does it still rise as high?"),
+    (standing::simultaneous_impacts, "A block hits a row of equal blocks: does the last one alone fly off?"),
+    (standing::simultaneous_impacts_in_a_crowd, "The same row of blocks, with 200 other bodies in the world."),
+    (robustness::far_from_the_origin, "A body moves far away from the middle of the world: is its place still exact?"),
+    (robustness::hitch, "One picture takes far too long: does a body fall through the floor, or the game hang?"),
+    (robustness::nonsense, "Impossible numbers are given, such as a negative mass: are they refused?"),
 ];
 
-/// What each of [`TESTS`] tries, for a reader of eleven.
-const TRIED: [&str; TESTS.len()] = [
-    "A body falls through air: does it end at the right speed?",
-    "A floating box bobs up and down: are its swings as high after 100 of them?",
-    "A body swings on a spring: does it have as much energy after 100 swings?",
-    "A pendulum swings: does it have as much energy after 100 swings?",
-    "Wind blows at a light body at rest: does the body ever overtake the wind?",
-    "The same wind: does the body's speed against the air ever grow?",
-    "A fast box flies at a thin wall: does the wall stop it?",
-    "A fast box flies at a thin, loose plate: does it hit the plate?",
-    "A heavy block lies on a light one: are the forces between them right?",
-    "Many blocks stand on each other: is each force between them right?",
-    "A box lies on the floor: does it lie still?",
-    "A box slides until friction stops it: does it stop, and at the right place?",
-    "A ball bounces lower and lower: does it come to rest at the right time?",
-    "A ball bounces for a minute without loss: does it still rise as high?",
-    "A block hits a row of equal blocks: does the last one alone fly off?",
-    "The same row of blocks, with 200 other bodies in the world.",
-    "A body moves far away from the middle of the world: is its place still exact?",
-    "One picture takes far too long: does a body fall through the floor, or the game hang?",
-    "Impossible numbers are given, such as a negative mass: are they refused?",
-];
+/// In the order of the report.
+pub const TESTS: [fn() -> StressTest; TRIED.len()] = {
+    let (mut tests, mut i) = ([TRIED[0].0; TRIED.len()], 0);
+    while i < tests.len() {
+        tests[i] = TRIED[i].0;
+        i += 1;
+    }
+    tests
+};
 
 /// What each test tries, in a sentence, by the test's name.
 pub fn tried() -> HashMap<&'static str, &'static str> {
-    TESTS.iter().map(|test| test().name).zip(TRIED).collect()
+    TRIED.iter().map(|(test, words)| (test().name, *words)).collect()
 }
 
 /// `None` where the row's test or its method is not known here.

@@ -3,9 +3,8 @@
 use super::{G, StressTest, Trial, picture::FailurePicture};
 use crate::lab::contract::{By, Model};
 use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, exact_fall};
-use crate::lab::methods::{INTEGRATORS, METHODS};
-use crate::lab::scenes::{oscillator, springs};
 use crate::{lab::TICK, lab::scenes::flight::FlyingBody, physics::DVec2};
+use crate::{lab::methods::INTEGRATORS, lab::methods::METHODS, lab::scenes::oscillator, lab::scenes::springs};
 
 /// Steps after which a fall has long settled.
 const LONG: usize = 2000;

@@ -1,5 +1,4 @@
-//! A picture of a method's failure: a few lines over time, or over another quantity, beside the exact one. The method itself computes
-//! everything in it.
+//! A picture of a method's failure, which the method computes: a few lines over time, or over another quantity, beside the exact one.
 
 /// Right and up.
 pub type Polyline = Vec<(f64, f64)>;

@@ -1,17 +1,14 @@
-//! Programs fail far from the origin, after a hitch, and on nonsense.
-//! Floors fail by jitter at rest, stops that are short or never come, bounces that end too early or never, energy from nothing.
+//! Failures far from the origin, after a hitch, on nonsense, and on floors: jitter, stops and bounces that end wrongly or never, energy from nothing.
 
 use super::{G, StressTest, Trial, picture::FailurePicture};
-use crate::game::{Clock, TICK_RATE};
-use crate::lab::contract::{By, Model};
 use crate::lab::methods::bounce::{Ball, Bounce, SlideStep, Slider, by_sign, energy, event_loop, impact_times};
 use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, semi_implicit_euler, semi_implicit_euler_f32};
 use crate::lab::scenes::bouncing::{
     self, BouncingBall, METHODS, SlidingBox, bounces_until, energy_kept, lossy_apex_at, series_end,
 };
-use crate::lab::scenes::flight::FlyingBody;
 use crate::lab::{TICK, TOLERANCE, contract};
 use crate::physics::{Aabb, BodyDef, BodyId, DVec2, Material, SurfaceDef, World, WorldDef};
+use crate::{game::Clock, game::TICK_RATE, lab::contract::By, lab::contract::Model, lab::scenes::flight::FlyingBody};
 
 /// s.
 const DRIFT: f64 = 10.0;

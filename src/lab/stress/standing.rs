@@ -1,5 +1,4 @@
-//! Solvers of resting contacts fail at unequal masses and in tall columns.
-//! Methods of impact fail at thin obstacles and at many contacts at one instant.
+//! Solvers of resting contacts fail at unequal masses and in tall columns, methods of impact at thin obstacles and at many contacts at one instant.
 
 use super::{G, StressTest, Trial, picture::FailurePicture};
 use crate::lab::contract::{By, Model};

@@ -1,13 +1,10 @@
-//! The strip above the picture: things are aligned, spread, grouped and locked, and layers are hidden. Groups and locks last until the
-//! editor is left.
+//! The strip above the picture: things are aligned, spread, and, until the editor is left, grouped and locked; layers are hidden.
 
-use super::layout::INSIDE;
-use super::{Editor, EditorPass};
-use crate::draw::layout::{Area, Vec2};
+use super::{Editor, EditorPass, layout::INSIDE};
 use crate::level::document::{Kind, Place, RowId, SetCell, Table};
 use crate::ui::{Ui, WidgetKind, input::Input};
-use crate::view::{theme, widgets};
 use crate::{draw::Canvas, physics::DVec2, settings::Key, words::tr};
+use crate::{draw::layout::Area, draw::layout::Vec2, view::theme, view::widgets};
 
 /// A button of the strip, canvas units.
 const BUTTON: Vec2 = Vec2::new(26.0, 24.0);
@@ -75,7 +72,6 @@ impl Arranged {
         }
     }
 
-    /// These rows, and those that belong to them.
     fn whole(&self, rows: &[RowId]) -> Vec<RowId> {
         let mut all = rows.to_vec();
         for group in self.groups.iter().filter(|group| group.iter().any(|row| rows.contains(row))) {

@@ -98,8 +98,7 @@ impl Editor {
         None
     }
 
-    /// Keeps unsaved edits beside the files, for the next time that the level is edited.
-    /// Errors: why they would be lost, in words.
+    /// Keeps unsaved edits beside the files, for the next time that the level is edited. Errors: why they would be lost, in words.
     pub(in crate::screens) fn keep(&mut self) -> Result<(), String> {
         if matches!(self.ask, Some(Ask::Restore(_))) {
             // Those that were found lie there, and nothing is edited yet.

@@ -1,17 +1,12 @@
 //! The commands: the row of buttons above the picture, and the keys that do the same.
 
-use super::ask::Ask;
-use super::tools::EditorTool;
 use super::{Editor, EditorPass, view};
+use super::{ask::Ask, tools::EditorTool};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
-use crate::draw::{Canvas, Style};
 use crate::level::document::{Clip, Document, Kind, RowId, Table};
-use crate::physics::DVec2;
-use crate::screens::screen::Request;
-use crate::settings::Key;
 use crate::ui::{Ui, WidgetKind, input::Input};
-use crate::view::{theme, widgets};
 use crate::words::tr;
+use crate::{draw::Canvas, draw::Style, physics::DVec2, screens::screen::Request, settings::Key, view::theme, view::widgets};
 
 const COMMANDS: [(&str, &str); 11] = [
     ("Back", "Esc"),
@@ -203,7 +198,6 @@ impl Editor {
         }
     }
 
-    /// Keeps the selection in the clipboard, and takes it out of the level where it is cut.
     fn copy(&mut self, input: &Input, cuts: bool) {
         let (text, count) = self.document.copied(&self.selection);
         if count == 0 {

@@ -1,9 +1,6 @@
 //! The pointer in the picture: it selects, moves, sizes, draws, and pulls links and handles.
 
-use super::Editor;
-use super::handles::{GRAB, Handle};
-use super::tools::EditorTool;
-use super::view::Snap;
+use super::{Editor, handles::GRAB, handles::Handle, tools::EditorTool, view::Snap};
 use crate::level::document::{Kind, LinkForm, Place, RowId, Table};
 use crate::{draw::layout::Vec2, physics::DVec2, settings::Key, ui::input::Input, words::tr};
 
@@ -20,8 +17,7 @@ pub enum PointerDrag {
     Frame(DVec2, Vec<RowId>),
     /// The selected things; where the first of them was, and where it was grabbed; whether copies of them are moved.
     Move { from: Place, grabbed: DVec2, begun: Vec2, moved: bool, doubles: bool },
-    /// A handle of a thing, which lay there: from the pointer to the point that the handle stands for, pixels; where the pointer was, and
-    /// whether it has left the reach of a click.
+    /// Of a thing, which lay there: from the pointer to the handle's point, pixels; where the pointer was, and whether it has left a click's reach.
     Handle { row: RowId, handle: Handle, from: Place, offset: DVec2, begun: Vec2, moved: bool },
     /// A new thing, from that point, snapped and as it was pressed.
     Draw(Kind, [DVec2; 2]),
@@ -39,7 +35,7 @@ impl Editor {
 
     /// The smallest thing at a point, pixels.
     fn thing_at(&self, at: DVec2) -> Option<RowId> {
-        let slack = DVec2::splat(f64::from(CLICK) / self.view.scale());
+        let slack = DVec2::splat(f64::from(CLICK) / self.view.scale);
         let near =
             self.at_hand().filter(|(_, place)| Place { min: place.min - slack, size: place.size + 2.0 * slack }.contains(at));
         smallest(near).or_else(|| self.link_near(at, slack.x))
@@ -61,7 +57,7 @@ impl Editor {
         let others =
             self.document.things().filter(|(row, place)| !without.contains(row) && place.meets(&visible)).map(|(_, place)| place);
         let on = self.snapping != input.held(Key::Control);
-        Snap::new(on, SNAP_REACH / self.view.scale(), others.chain([level]))
+        Snap::new(on, SNAP_REACH / self.view.scale, others.chain([level]))
     }
 
     pub(super) fn update_hand(&mut self, input: &Input) {
@@ -192,9 +188,9 @@ impl Editor {
                 let to = self.snap(input, &[]).point(at);
                 // Both ends of a low pad may snap to one edge: then it begins where it was pressed.
                 let flat = (to - from).abs().cmplt(DVec2::ONE)
-                    & ((at - pressed).abs() * self.view.scale()).cmpge(DVec2::splat(f64::from(CLICK)));
+                    & ((at - pressed).abs() * self.view.scale).cmpge(DVec2::splat(f64::from(CLICK)));
                 let mut place = Place::between(DVec2::select(flat, pressed, from), to);
-                let drawn = place.size * self.view.scale();
+                let drawn = place.size * self.view.scale;
                 if drawn.max_element() < f64::from(CLICK) * 2.0 {
                     // Put down with a click: by the point that its cells name.
                     let size = DVec2::from(kind.schema().usual_size);
@@ -219,7 +215,6 @@ impl Editor {
         if self.document.body_at(at).is_some() { at } else { self.snap(input, &[]).point(at) }
     }
 
-    /// A handle that is led onto something is let go there.
     fn end_led(&mut self, row: RowId, handle: Handle, at: DVec2) {
         if let Handle::End(end) = handle {
             match self.document.led(row, end, at) {

@@ -8,7 +8,6 @@ use crate::physics::DVec2;
 pub(super) const GRAB: f32 = 9.0;
 /// From the middle of a thing to its handles, at least, canvas units: on a small thing they stand outside, and its middle moves it.
 const CLEAR: f32 = 2.0 * GRAB;
-/// A point of a selected thing that can be dragged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Handle {
     /// A corner or side: which edges it moves, −1 … 1 along each axis.
@@ -28,7 +27,7 @@ impl Editor {
         let [row] = self.selection[..] else { return Vec::new() };
         let Some(place) = self.document.place(row) else { return Vec::new() };
         let mut handles = Vec::new();
-        let clear = (place.size * 0.5).max(DVec2::splat(f64::from(CLEAR) / self.view.scale()));
+        let clear = (place.size * 0.5).max(DVec2::splat(f64::from(CLEAR) / self.view.scale));
         if self.document.is_sizable(row) {
             for side in SIDES {
                 handles.push((Handle::Size(side), place.centre() + side * clear));
@@ -40,11 +39,11 @@ impl Editor {
                 let half = place.size * 0.5;
                 handles.extend(way.iter().enumerate().map(|(i, point)| (Handle::Way(i), *point + half)));
                 let last = way.last().copied().unwrap_or(place.min) + half;
-                handles.push((Handle::MoreWay, last + DVec2::new(26.0, 0.0) / self.view.scale()));
+                handles.push((Handle::MoreWay, last + DVec2::new(26.0, 0.0) / self.view.scale));
             }
             Some(Kind::Stream) => handles.push((Handle::Reach, stream_zone(&self.document, row, place).1)),
             Some(Kind::Switch) => {
-                handles.push((Handle::Wire, place.centre() - DVec2::new(0.0, clear.y + 22.0 / self.view.scale())));
+                handles.push((Handle::Wire, place.centre() - DVec2::new(0.0, clear.y + 22.0 / self.view.scale)));
             }
             Some(Kind::Link) => {
                 let ends = self.document.link_ends(row).into_iter().flatten();
@@ -107,7 +106,6 @@ impl Editor {
     }
 }
 
-/// Corners and sides, as in [`Handle::Size`].
 const SIDES: [DVec2; 8] = [
     DVec2::new(-1.0, 0.0),
     DVec2::new(1.0, 0.0),
@@ -121,10 +119,7 @@ const SIDES: [DVec2; 8] = [
 
 /// The zone in which a stream blows, and the middle of its far end, pixels.
 pub fn stream_zone(document: &Document, row: RowId, place: Place) -> (Place, DVec2) {
-    let reach = DVec2::new(
-        document.number(row, "stream_width").unwrap_or_default(),
-        document.number(row, "stream_height").unwrap_or_default(),
-    );
+    let reach = DVec2::from(["stream_width", "stream_height"].map(|column| document.number(row, column).unwrap_or_default()));
     let (centre, half) = (place.centre(), place.size * 0.5);
     let side = reach.signum() * DVec2::new(f64::from(u8::from(reach.x != 0.0)), f64::from(u8::from(reach.y != 0.0)));
     let end = centre + side * half + reach;

@@ -1,5 +1,4 @@
-//! The editor's panes: tools at the left, the panel at the right, problems below, commands above, the picture in the middle. Each is as wide
-//! as its words need.
+//! The editor's panes, each as wide as its words need: tools at the left, the panel at the right, problems below, commands above, picture between.
 
 use crate::draw::layout::{Area, DETAILS, Frame, LINE, MONO_ADVANCE, TEXT, Vec2};
 use crate::level::document::SETTINGS;
@@ -52,7 +51,6 @@ pub struct Panes {
 }
 
 impl Panes {
-    /// The panes in that frame, with `problems` lines of problems.
     pub fn new(frame: &Frame, problems: usize) -> Self {
         let height_of_text = frame.text_height(DETAILS);
         let (line, letter, text) = (height_of_text * LINE, height_of_text * MONO_ADVANCE, frame.text.min(1.0));
@@ -83,8 +81,7 @@ impl Panes {
         }
     }
 
-    /// A row of commands from the left, and as many from the right, in the same row or the one below; the room of the level's name beside
-    /// the latter.
+    /// Commands from the left, and from the right in the same row or the one below; the room of the level's name beside the latter.
     pub fn commands(&self, left: usize, right: usize) -> (Vec<Area>, Area) {
         let (size, end) = (self.command, self.top.size.x - INSIDE);
         let low = self.top.size.y - BETWEEN - size.y;
@@ -118,7 +115,6 @@ impl Panes {
         Area::new(self.right.min.x + INSIDE, top, self.right.size.x - 2.0 * INSIDE, self.line)
     }
 
-    /// How many pictures have room there.
     pub fn offers(&self, fields: usize) -> usize {
         (((self.right.max().y - self.offer(fields, 0).min.y) / self.line) as usize).min(OFFERS)
     }

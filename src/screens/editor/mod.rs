@@ -1,6 +1,4 @@
-//! The editor: a level's files as a picture. Each act of the author becomes an operation on the [`Document`]; the problems are the loader's own list,
-//! read from memory. `layout` cuts the window into panes; `commands`, `tools`, `panel`, `problem_list` and `ask` each show one of them; `picture` and
-//! `overlay` draw the level. `view` is the part of the level in view and the edges that things snap to, `hand` follows the pointer there.
+//! The editor: a level's files as a picture. Each act becomes an operation on the [`Document`]; the problems are the loader's own list, from memory.
 
 mod arrange;
 mod ask;
@@ -18,24 +16,18 @@ mod tools;
 mod view;
 
 use crate::draw::layout::{Area, Frame, Vec2};
-use crate::draw::{Canvas, Style};
 use crate::level::document::{Document, LevelFolder, Opened, Place, RowId, SetCell};
-use crate::level::{Level, Problem};
-use crate::physics::DVec2;
 use crate::screens::screen::{Destination, Purpose, Request, Screen};
 use crate::session::{Session, folder_watch::FolderWatch, worker::Brought};
-use crate::settings::Settings;
-use crate::ui::input::{Input, Repeat};
 use crate::ui::{Spectator, Ui, pace::Motion, scroll::Scroll};
-use crate::view::widgets;
+use crate::{draw::Canvas, draw::Style, level::Level, level::Problem, settings::Settings, ui::input::Input, ui::input::Repeat};
+use crate::{physics::DVec2, view::widgets};
 use arrange::Arranged;
 use ask::Ask;
 use hand::PointerDrag;
 use layout::{PROBLEM_LINES, Panes};
 use panel::CellPanel;
-use std::cell::RefCell;
-use std::path::Path;
-use std::sync::Arc;
+use std::{cell::RefCell, path::Path, sync::Arc};
 use test_flight::TestFlight;
 use tools::EditorTool;
 use view::EditorView;
@@ -196,8 +188,7 @@ impl Screen for Editor {
 }
 
 impl Editor {
-    /// The editor of a level, by its name.
-    /// Errors: a file that cannot be read, in words.
+    /// By the level's name. Errors: a file that cannot be read, in words.
     pub fn take_up(name: &str, session: &mut Session) -> Result<Self, String> {
         session.last_level = Some(name.to_owned());
         match session.brought.take() {
@@ -206,8 +197,7 @@ impl Editor {
         }
     }
 
-    /// Opens the level in that folder; images are looked up there, then under `root`.
-    /// Errors: a file that cannot be read, in words.
+    /// Images are looked up in that folder, then under `root`. Errors: a file that cannot be read, in words.
     pub fn open(folder: &Path, root: &Path) -> Result<Self, String> {
         LevelFolder::open_to_edit(folder, root).map(Self::new)
     }
@@ -249,7 +239,6 @@ impl Editor {
         }
     }
 
-    /// Takes over the window's size, the document's rows and the level that is fitted into view.
     fn lay_out(&mut self, input: &Input) {
         if self.checked.0.is_none() && self.fitted.is_none() {
             // The room for problems is known before the level is fitted.
@@ -258,7 +247,8 @@ impl Editor {
         self.panes = Panes::new(&input.frame, self.problems.len().min(PROBLEM_LINES));
         self.view.area = self.panes.middle;
         self.pointer = input.pointer;
-        let untouched = |(view, frame): &(EditorView, Frame)| self.view.shows_as(view) && *frame != input.frame;
+        let area = self.view.area;
+        let untouched = |(view, frame): &(EditorView, Frame)| self.view == EditorView { area, ..*view } && *frame != input.frame;
         if self.fitted.as_ref().is_none_or(untouched) {
             self.show_all();
             self.fitted = Some((self.view, input.frame));

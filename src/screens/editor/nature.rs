@@ -1,14 +1,8 @@
 //! The marks of what a block is: its material, a belt, a trampoline, a block that breaks, a side that lets through. And colours to choose.
 
-use super::layout::{BETWEEN, INSIDE};
-use super::picture::{edge, material};
-use super::{Editor, EditorPass};
-use crate::draw::layout::{Area, Vec2};
-use crate::draw::{Canvas, Colour};
-use crate::level::Landscape;
-use crate::level::document::{RowId, SetCell};
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{sky::WorldPalette, theme};
+use super::{Editor, EditorPass, layout::BETWEEN, layout::INSIDE, picture::edge, picture::material};
+use crate::{draw::Canvas, draw::Colour, level::Landscape, view::sky::WorldPalette, view::theme};
+use crate::{draw::layout::Area, draw::layout::Vec2, level::document::RowId, level::document::SetCell, ui::Ui, ui::WidgetKind};
 
 /// The steps of marks along a block, canvas units, and the most of them.
 const STEP: f32 = 18.0;
@@ -115,7 +109,6 @@ pub(super) fn show_worlds(
         let area = Area { min: Vec2::new(left + index as f32 * pitch, field.min.y + BETWEEN), size };
         let touch = ui.touch(word, area, WidgetKind::Tool);
         let palette = WorldPalette::of(landscape);
-        // A hill in front of the sky, with the light on its edge.
         let hill = Area { min: area.min + size * Vec2::new(0.0, 0.5), size: size * Vec2::new(1.0, 0.5) };
         ui.canvas().rectangle(area, palette.layers[0]);
         ui.canvas().rectangle(hill, palette.rock[0]);
@@ -131,7 +124,6 @@ pub(super) fn show_worlds(
     pressed
 }
 
-/// A material as the picture shows it, beside its name in a field.
 pub(super) fn draw_material(canvas: &Canvas, field: Area, name: &str) {
     let side = field.size.y - 2.0 * BETWEEN;
     let area = Area::new(field.max().x - side - BETWEEN, field.min.y + BETWEEN, side, side);

@@ -1,14 +1,10 @@
 //! The marks above the picture: the selection, its handles, the drag. The level in small.
 
-use super::hand::PointerDrag;
-use super::handles::Handle;
 use super::picture::{colour, draw_link, edge};
-use super::{Editor, EditorPass};
+use super::{Editor, EditorPass, hand::PointerDrag, handles::Handle};
 use crate::draw::layout::{Area, DETAILS, Vec2};
-use crate::draw::{Canvas, Style};
 use crate::level::document::{Kind, LinkForm, Place, number};
-use crate::view::theme;
-use crate::{physics::DVec2, ui::Ui};
+use crate::{draw::Canvas, draw::Style, physics::DVec2, ui::Ui, view::theme};
 
 impl Editor {
     pub(super) fn draw_selection(&self, canvas: &Canvas) {

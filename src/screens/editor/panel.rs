@@ -1,16 +1,10 @@
-//! The panel at the right: the columns of the selection, or the level's settings where that is empty, a field each. A field is written into
-//! the files as it is typed.
+//! The panel at the right: a field for each column of the selection, or for each setting where that is empty, written into the files as it is typed.
 
-use super::layout::{BETWEEN, INSIDE};
-use super::nature::{draw_material, show_worlds};
-use super::{Editor, EditorPass};
+use super::{Editor, EditorPass, layout::BETWEEN, layout::INSIDE, nature::draw_material, nature::show_worlds};
 use crate::draw::layout::{Area, DETAILS, TEXT, Vec2, wrapped};
-use crate::draw::{Canvas, Style};
 use crate::level::document::{Column, Document, Kind, RowId, SETTINGS, SetCell};
-use crate::settings::Key;
 use crate::ui::{Ui, WidgetKind, input::Input, text_field::TextField};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Canvas, draw::Style, settings::Key, view::theme, view::widgets, words::tr};
 
 /// The longest cell, characters.
 const LONGEST: usize = 400;
@@ -46,7 +40,6 @@ pub struct CellPanel {
 }
 
 impl CellPanel {
-    /// Reads these rows' cells, or the settings where there are none.
     pub fn read(&mut self, document: &Document, rows: &[RowId]) {
         let kinds: Vec<Option<Kind>> = rows.iter().map(|row| document.kind(*row)).collect();
         self.kind = kinds.first().copied().flatten().filter(|first| kinds.iter().all(|kind| *kind == Some(*first)));
@@ -86,8 +79,7 @@ impl CellPanel {
         });
     }
 
-    /// The operation of a click on a field, or beside all of them; `gesture` is its number. A choice goes on to its next word, or back by the
-    /// right button.
+    /// Of a click on a field, or beside all; `gesture` is its number. A choice goes on to its next word, or back by the right button.
     fn click(&mut self, under: Option<usize>, input: &Input, gesture: u64) -> Option<CellWrite> {
         let Some(CellField { column, text }) = under.and_then(|index| self.fields.get(index)).cloned() else {
             self.typing = None;

@@ -1,15 +1,10 @@
 //! The level as the editor draws it. Colours and marks that the editor's panes share.
 
-use super::Editor;
-use super::arrange::PictureLayer;
-use super::handles::stream_zone;
-use crate::draw::layout::{Area, Vec2};
+use super::{Editor, arrange::PictureLayer, handles::stream_zone};
 use crate::draw::{Canvas, Colour, Image, Style};
 use crate::level::document::{Kind, LinkForm, Place, RowId};
-use crate::view::theme;
-use crate::{level::read_picture, physics::DVec2};
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use crate::{draw::layout::Area, draw::layout::Vec2, level::read_picture, physics::DVec2, view::theme};
+use std::{collections::BTreeMap, path::PathBuf};
 
 impl Editor {
     pub(super) fn draw_picture(&self, canvas: &Canvas) {
@@ -60,7 +55,7 @@ impl Editor {
 
     /// The paper of a level without a background: a fine line every metre, a heavy one every ten.
     fn draw_grid(&self, canvas: &Canvas, level: Area) {
-        let metre = self.document.metre() * self.view.scale();
+        let metre = self.document.metre() * self.view.scale;
         let steps: &[(f64, Colour)] = &[(1.0, theme::grid_fine()), (10.0, theme::grid_heavy())];
         for (metres, colour) in steps.iter().filter(|(metres, _)| metres * metre > 6.0) {
             let step = (metres * metre) as f32;
@@ -104,10 +99,7 @@ impl Editor {
                 }
                 canvas.rectangle(area, theme::solid());
                 edge(canvas, area, 1.5, own);
-                let force = DVec2::new(
-                    self.document.number(row, "force_x").unwrap_or(0.0),
-                    self.document.number(row, "force_y").unwrap_or(0.0),
-                );
+                let force = DVec2::from(["force_x", "force_y"].map(|column| self.document.number(row, column).unwrap_or(0.0)));
                 let (from, to) = (self.view.point(place.centre()), self.view.point(end));
                 if force != DVec2::ZERO {
                     arrow(canvas, (from + to) / 2.0, force.normalize().as_vec2(), own);
@@ -118,10 +110,7 @@ impl Editor {
                 canvas.rectangle(area, own.faded(0.3));
                 edge(canvas, area, 1.0, own);
                 if kind == Kind::Gravity {
-                    let field = DVec2::new(
-                        self.document.number(row, "field_x").unwrap_or(0.0),
-                        self.document.number(row, "field_y").unwrap_or(0.0),
-                    );
+                    let field = DVec2::from(["field_x", "field_y"].map(|column| self.document.number(row, column).unwrap_or(0.0)));
                     if field != DVec2::ZERO {
                         arrow(canvas, area.centre(), field.normalize().as_vec2(), own);
                     }
@@ -202,18 +191,16 @@ impl Editor {
 /// The pictures by path, read when they are first drawn; `None`: the file is no picture.
 pub type Sheets = BTreeMap<PathBuf, Option<Image>>;
 
-/// The colour of a kind: the game's, where it has one.
 pub fn colour(kind: Kind) -> Colour {
     let of = |r, g, b| Colour::of([r, g, b]);
     match kind {
-        Kind::Setting | Kind::Hint | Kind::Text => theme::text(),
-        Kind::Ship => theme::text(),
+        Kind::Setting | Kind::Hint | Kind::Text | Kind::Ship => theme::text(),
         Kind::Solid => theme::solid_top(),
         Kind::Mover => of(120, 150, 190),
         Kind::Door => of(190, 140, 90),
         Kind::Switch => of(110, 200, 220),
         Kind::Object => theme::quiet(),
-        Kind::Key => theme::accent(),
+        Kind::Key | Kind::Star => theme::accent(),
         Kind::Pad => theme::player_objective(),
         Kind::KeyPad => theme::physics_objective(),
         Kind::Link => of(204, 121, 167),
@@ -222,7 +209,6 @@ pub fn colour(kind: Kind) -> Colour {
         Kind::Fluid => of(70, 130, 190),
         Kind::Gravity => of(150, 110, 210),
         Kind::Pod => theme::good(),
-        Kind::Star => theme::accent(),
         Kind::Picture => of(140, 140, 140),
     }
 }

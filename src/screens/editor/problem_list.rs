@@ -3,15 +3,13 @@
 use super::layout::{INSIDE, PROBLEM_LINES};
 use super::{CHECK_AFTER, Editor, EditorPass};
 use crate::draw::layout::{Area, DETAILS, Vec2, wrapped};
-use crate::draw::{Canvas, Style};
 use crate::level::document::{Kind, RowId, Table};
 use crate::ui::{Ui, WidgetKind, input::Input};
-use crate::view::{theme, widgets};
+use crate::{draw::Canvas, draw::Style, view::theme, view::widgets};
 use crate::{level::Problem, settings::Keys, words::tr};
 use std::sync::Arc;
 
 impl Editor {
-    /// Takes over the loader's level and problems.
     pub(super) fn check(&mut self) {
         if !self.document.unknown_pictures().is_empty() {
             self.folder.measure(&mut self.document);
@@ -68,7 +66,7 @@ impl Editor {
     fn place_in_words(&self, frames: f64) -> String {
         let (at, metre) = (self.view.pixels(self.pointer), self.document.metre());
         let frames = if frames > 0.0 { format!("{frames:.0} fps   ") } else { String::new() };
-        let zoom = self.view.scale() * 100.0;
+        let zoom = self.view.scale * 100.0;
         format!("{frames}{:.0}, {:.0} px   {:.2}, {:.2} m   {zoom:.0} %", at.x, at.y, at.x / metre, at.y / metre)
     }
 
@@ -90,7 +88,6 @@ impl Editor {
         }
     }
 
-    /// Words in whole, in as many lines as they need, above the picture's lower edge.
     pub(super) fn draw_banner(&self, canvas: &Canvas, words: &str) {
         let (middle, letter, line) = (self.panes.middle, self.panes.letter, self.panes.line);
         let lines = wrapped(words, ((middle.size.x - 4.0 * INSIDE) / letter) as usize, 4);

@@ -1,19 +1,13 @@
 //! Test flights: from the start, from the pointer, and on from where one was stopped. What was flown last stays over the picture.
 
-use super::Editor;
-use super::arrange::PictureLayer;
-use super::ask::Ask;
-use super::picture::edge;
-use super::tools::EditorTool;
-use crate::draw::layout::{DETAILS, Vec2};
+use super::{Editor, arrange::PictureLayer, ask::Ask, picture::edge, tools::EditorTool};
 use crate::draw::{Canvas, Colour, Style};
 use crate::game::{Game, Outcome, SHIP, level_hash};
 use crate::level::document::{Document, Place, SetCell, Table, number};
 use crate::physics::{Aabb, DVec2};
-use crate::screens::screen::{Destination, Request};
-use crate::screens::{flight::Flight, flight::open::FlownTrail};
-use crate::view::{mechanisms::movers, theme};
+use crate::{draw::layout::DETAILS, draw::layout::Vec2, screens::flight::Flight, screens::flight::open::FlownTrail};
 use crate::{level::Level, number::clock, ui::input::Input, words::tr};
+use crate::{screens::screen::Destination, screens::screen::Request, view::mechanisms::movers, view::theme};
 use std::sync::Arc;
 
 /// A body that has moved less than this is not shown where it has moved to, m.
@@ -82,7 +76,6 @@ impl Editor {
         None
     }
 
-    /// The click that says where the ship is to start.
     pub(super) fn launch(&mut self, input: &Input) -> Option<Request> {
         let clicked = self.tool == EditorTool::Fly && input.click && self.panes.middle.contains(input.pointer);
         let request = clicked.then(|| self.fly_here()).flatten();
@@ -115,7 +108,6 @@ impl Editor {
         self.flown = Some(TestFlight { level, game: Box::new(game.clone()), trail });
     }
 
-    /// The path, the impacts, and where everything was that has moved.
     pub(super) fn draw_flown(&self, canvas: &Canvas) {
         let Some(TestFlight { level, game, trail }) = self.flown.as_ref().filter(|_| self.arranged.shows(PictureLayer::Flight))
         else {

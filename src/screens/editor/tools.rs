@@ -1,16 +1,11 @@
 //! The tools beside the picture: each stays until Esc or another one, and has a key.
 
-use super::layout::INSIDE;
 use super::picture::{colour, draw_link, edge};
-use super::{Editor, EditorPass};
+use super::{Editor, EditorPass, layout::INSIDE};
 use crate::draw::layout::{Area, DETAILS, Vec2};
-use crate::draw::{Canvas, Style};
-use crate::level::document::{Kind, LinkForm};
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::{settings::Key, words::tr};
+use crate::{draw::Canvas, draw::Style, level::document::Kind, level::document::LinkForm, view::theme, view::widgets};
+use crate::{settings::Key, ui::Ui, ui::WidgetKind, words::tr};
 
-/// The work of a drag in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum EditorTool {
     Select,

@@ -1,8 +1,6 @@
-//! The part of the level in view, and its scale. A point or a rectangle is moved onto the edges of other things near by, else onto the grid, else
-//! onto whole pixels.
+//! The part of the level in view, its scale, and what things snap to: edges of other things near by, else the grid, else whole pixels.
 
-use crate::draw::layout::{Area, Vec2};
-use crate::{level::document::Place, physics::DVec2};
+use crate::{draw::layout::Area, draw::layout::Vec2, level::document::Place, physics::DVec2};
 
 /// Canvas units a pixel of the picture, at least and at most.
 const SCALES: (f64, f64) = (1e-5, 16.0);
@@ -14,9 +12,9 @@ const ROOM: f64 = 0.025;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EditorView {
     /// The point of the picture at the top left corner of `area`, pixels.
-    origin: DVec2,
+    pub origin: DVec2,
     /// Canvas units a pixel of the picture.
-    scale: f64,
+    pub scale: f64,
     pub area: Area,
 }
 
@@ -27,15 +25,6 @@ impl Default for EditorView {
 }
 
 impl EditorView {
-    pub fn shows_as(&self, other: &Self) -> bool {
-        (self.origin, self.scale) == (other.origin, other.scale)
-    }
-
-    /// Canvas units a pixel of the picture.
-    pub const fn scale(&self) -> f64 {
-        self.scale
-    }
-
     /// From the picture to the canvas.
     pub fn point(&self, pixels: DVec2) -> Vec2 {
         self.area.min + ((pixels - self.origin) * self.scale).as_vec2()
@@ -95,7 +84,6 @@ pub struct Snap {
 }
 
 impl Snap {
-    /// Snaps to these things' edges.
     pub fn new(on: bool, reach: f64, others: impl Iterator<Item = Place>) -> Self {
         let mut edges = [Vec::new(), Vec::new()];
         for place in others.take(if on { usize::MAX } else { 0 }) {
@@ -120,8 +108,7 @@ impl Snap {
         point + DVec2::new(self.offset(0, point.x), self.offset(1, point.y))
     }
 
-    /// Moves a rectangle by the one of its edges that is nearest to an edge of the others, else by its corner. The point that its cells
-    /// name, the corner or the middle, is a whole pixel then.
+    /// By its edge that is nearest to one of the others, else by its corner; the point that its cells name, corner or middle, is a whole pixel then.
     pub fn moved(&self, place: Place, by_centre: bool) -> Place {
         let along = |axis: usize| {
             let (near, far) = (place.min[axis], place.max()[axis]);

@@ -1,23 +1,13 @@
-//! A work–precision diagram a scene. The player picks out a method or reads a point.
-//!
-//! A chart of several curves, one of which the player picks out: by keys, or by its line in the legend.
+//! A work–precision diagram a scene. The player picks out a method, by keys or by its line in the legend, or reads a point.
 
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
 use crate::lab::curve::{ANOTHER_BUILD, GROWTH, Measured, OverTime};
 use crate::lab::drawing::diagram::{self, Picked, with_unit};
-use crate::lab::drawing::looks::name_of;
-use crate::lab::drawing::places::DiagramPlaces;
-use crate::lab::drawing::timeline;
-use crate::lab::methods::rules;
-use crate::number::short;
-use crate::screens::screen::Request;
-use crate::session::library::Shown;
-use crate::settings::Key;
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::drawing::looks::name_of, lab::drawing::places::DiagramPlaces, number::short, view::theme, view::widgets};
+use crate::{lab::drawing::timeline, screens::screen::Request, session::library::Shown, settings::Key, ui::Ui, ui::WidgetKind};
+use crate::{lab::methods::rules, words::tr};
 use std::borrow::Cow;
 
 #[derive(Debug)]
@@ -84,7 +74,6 @@ impl ChartsPage {
         None
     }
 
-    /// At the diagram of that name.
     pub(super) fn open(&mut self, name: &str) {
         let found = self.shown.charts.diagrams.iter().position(|measured| measured.name == name);
         self.turn_to(found.unwrap_or(self.scene));
@@ -196,7 +185,6 @@ const WORDS: f32 = 56.0;
 /// The same in heights of small text, where that is large.
 const LARGE_WORDS: f32 = 4.3;
 
-/// The tool that picks out the next curve.
 pub(super) const METHOD: (&str, Key, &str) = ("Method", Key::Down, "↓");
 
 #[derive(Debug, Default)]
@@ -215,8 +203,7 @@ impl LegendPick {
         self.picked = usize::try_from((place + by).rem_euclid(count as isize + 1) - 1).ok();
     }
 
-    /// Shows the legend's lines; a click picks one out for good, or not any more. Returns the curve under the pointer, or else the
-    /// picked one.
+    /// A click on a line picks it out for good, or not any more. Returns the curve under the pointer, or else the picked one.
     pub fn show<'l>(&mut self, ui: &mut Ui<'_>, lines: impl Iterator<Item = (&'l str, Area)>) -> Option<usize> {
         let mut pointed = None;
         for (line, (name, area)) in lines.enumerate() {
@@ -230,13 +217,11 @@ impl LegendPick {
     }
 }
 
-/// The room of a page's chart.
 pub(super) fn panel(body: Area, frame: &Frame) -> Area {
     Area::new(body.min.x, body.min.y + TITLE, body.size.x, body.size.y - TITLE - words_room(frame))
 }
 
-/// Two texts below a chart, each of a size: a line each, or, where they are too wide for that, as many small ones as there is room
-/// for. Where all of them are too many, a source in brackets at their end is left out.
+/// A line each, or as many small ones as there is room for; where these are too many, a source in brackets at their end is left out.
 pub(super) fn words_below(canvas: &Canvas, panel: Area, texts: [(&str, f32, Colour); 2]) {
     let (widest, from) = (panel.size.x, Vec2::new(panel.centre().x, panel.max().y));
     let style = |size, colour| Style::new(size, colour).centred().middle();

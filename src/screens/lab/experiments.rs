@@ -3,12 +3,9 @@
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::screens::screen::{Destination, Request};
-use crate::session::library::Experiment;
-use crate::settings::Key;
 use crate::ui::{Touch, Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{screens::screen::Destination, screens::screen::Request, session::library::Experiment, view::theme, view::widgets};
+use crate::{settings::Key, words::tr};
 
 /// Height of a line of the list, at most, and the room below the line.
 const LINE: f32 = 44.0;
@@ -113,7 +110,6 @@ impl Paragraphs<'_> {
         if words.is_empty() { 0.0 } else { (lines as f32 + 0.6) * self.canvas.line_height(size) }
     }
 
-    /// A paragraph, in as many lines as it takes.
     pub fn write(&mut self, words: &str, size: f32, colour: Colour) {
         if words.is_empty() {
             return;

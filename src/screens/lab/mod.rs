@@ -1,6 +1,4 @@
-//! The Lab on seven pages: an overview, accuracy against speed, regions of stability, stress tests, two methods side by side, why explicit Euler gains
-//! energy, experiments. It shows the
-//! results of a run of `resultant chart`, and measures nothing itself.
+//! The Lab: seven pages that show the results of a run of `resultant chart`, and measure nothing themselves.
 
 mod charts;
 mod experiments;
@@ -10,19 +8,12 @@ mod stability;
 mod survival;
 
 use crate::screens::screen::{PAGES, Page, Request, Screen};
-use crate::session::library::{Experiment, Shown};
+use crate::{session::library::Experiment, session::library::Shown, ui::Ui, ui::WidgetKind, view::theme, view::widgets};
 pub(super) use experiments::Paragraphs;
 pub use side_by_side::{Half, SideBySide};
 
-use crate::draw::Style;
 use crate::draw::layout::{Area, DETAILS, Frame, GAP, TEXT, Vec2};
-use crate::lab::charts::Charts;
-use crate::settings::Key;
-use crate::ui::input::Input;
-use crate::ui::pace::Motion;
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, lab::charts::Charts, settings::Key, ui::input::Input, ui::pace::Motion, words::tr};
 use charts::ChartsPage;
 use experiments::ExperimentsPage;
 use overview::{Onwards, OverviewPage};

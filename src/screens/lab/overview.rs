@@ -1,19 +1,10 @@
 //! The first page: four pictures, each of which leads on to its page.
 
-use super::BACK;
-use super::experiments::ExperimentsPage;
-use crate::draw::Style;
+use super::{BACK, experiments::ExperimentsPage};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, GAP, PADDING, TEXT, Vec2};
-use crate::lab::charts::Charts;
-use crate::lab::curve::Measured;
-use crate::lab::drawing::overview;
-use crate::lab::savings::{LEVEL, Saving};
-use crate::lab::stability::Region;
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, lab::drawing::overview, lab::savings::LEVEL, lab::savings::Saving, view::theme, view::widgets};
+use crate::{lab::charts::Charts, lab::curve::Measured, lab::stability::Region, ui::Ui, ui::WidgetKind, words::tr};
 
-/// Where the page leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Onwards {
     /// To the charts, at the diagram of that name.
@@ -141,7 +132,6 @@ fn head(ui: &Ui<'_>, area: Area, title: &str, sentence: &str) {
     }
 }
 
-/// From one line of its sentence to the next.
 fn line_of(frame: &Frame) -> f32 {
     LINE.max(1.05 * frame.text_height(DETAILS))
 }
@@ -151,7 +141,6 @@ fn has_sentence(area: Area, frame: &Frame) -> bool {
     2.0 * line_of(frame) <= SENTENCE * area.size.y
 }
 
-/// The room of the picture in its card.
 fn inside(area: Area, frame: &Frame) -> Area {
     let down = TITLE + if has_sentence(area, frame) { 2.0 * line_of(frame) } else { 0.0 };
     Area::new(area.min.x + PADDING, area.min.y + down, area.size.x - 2.0 * PADDING, area.size.y - down - 8.0)

@@ -1,21 +1,13 @@
-//! The methods' regions of stability in the complex plane of z = h·λ. The player picks out one of them.
-//!
-//! Why explicit Euler gains energy: a swing as a circle, a picture and three sentences.
+//! The methods' regions of stability in the complex plane of z = h·λ, and why explicit Euler gains energy: a picture and three sentences.
 
 use super::BACK;
 use super::charts::{self, LegendPick, METHOD, panel};
-use crate::draw::chart::{Marker, marker};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::drawing::plane::{self, Plane};
 use crate::lab::methods::motion::{MotionLaw, MotionStep, PointState, explicit_euler, semi_implicit_euler};
 use crate::lab::stability::{Region, TITLE as REGIONS_TITLE, regions};
-use crate::physics::DVec2;
-use crate::screens::screen::Request;
-use crate::settings::Key;
-use crate::ui::Ui;
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::chart::Marker, draw::chart::marker, lab::drawing::plane, lab::drawing::plane::Plane, physics::DVec2, ui::Ui};
+use crate::{screens::screen::Request, settings::Key, view::theme, view::widgets, words::tr};
 
 const NO_SINGLE_Z: &str =
     "It has no single z: places and velocities take different steps, so the plane shows the growth of the damped oscillator at z.";

@@ -3,22 +3,14 @@
 use super::BACK;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, EDGE, PADDING, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::drawing::picture;
-use crate::lab::stress::picture::FailurePicture;
-use crate::lab::stress::{self, Survival};
-use crate::number::short;
-use crate::screens::screen::Request;
-use crate::ui::scroll::bar_beside;
-use crate::ui::{Turning, Ui};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{lab::drawing::picture, number::short, screens::screen::Request, ui::Turning, ui::Ui, ui::scroll::bar_beside};
+use crate::{lab::stress, lab::stress::Survival, lab::stress::picture::FailurePicture, view::theme, view::widgets, words::tr};
 use std::collections::HashMap;
 
 const ROW: f32 = 40.0;
 const TABLE: f32 = 768.0;
 /// Widest of table and picture together.
 const WIDEST: f32 = 1440.0;
-/// From the panel's edge to its lines.
 const INSIDE: f32 = 8.0;
 const WORDS: f32 = 40.0;
 /// From the panel's left edge to tests and to methods, and from its right edge to the values.
@@ -41,7 +33,6 @@ enum SurvivalLine {
 #[derive(Debug)]
 pub struct SurvivalPage {
     lines: Vec<SurvivalLine>,
-    /// What each test tries, by its name.
     tried: HashMap<&'static str, &'static str>,
     /// One a line, computed when the line comes into view.
     pictures: HashMap<usize, Option<FailurePicture>>,
@@ -131,7 +122,6 @@ impl SurvivalPage {
         canvas.text(&row.shown(), Vec2::new(right - COLUMNS[2], y), value);
     }
 
-    /// Words on the test, its picture, and words on that.
     fn draw_large(&self, canvas: &Canvas, panel: Area, (index, row): (usize, &Survival)) {
         let (middle, widest) = (panel.centre().x, panel.size.x - 2.0 * PADDING);
         let write = |top: f32, words: &str, size: f32, colour: Colour| {
@@ -180,7 +170,6 @@ impl SurvivalPage {
     }
 }
 
-/// The panels of the table and of the large picture, of one height.
 fn panels(body: Area) -> (Area, Area) {
     let width = body.size.x.min(WIDEST);
     let (left, top) = (body.centre().x - width / 2.0, body.min.y + WORDS);

@@ -1,13 +1,8 @@
 use super::{Half, SideBySide, panels};
-use crate::draw::chart::{Decades, LEAST_ERROR};
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, TEXT, Vec2};
 use crate::draw::{Canvas, Colour, Style};
-use crate::lab::TOLERANCE;
-use crate::lab::methods::rules;
-use crate::number::{power, short};
-use crate::physics::{Aabb, DVec2};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::chart::Decades, draw::chart::LEAST_ERROR, number::power, number::short, physics::Aabb, physics::DVec2};
+use crate::{lab::TOLERANCE, lab::methods::rules, view::theme, view::widgets, words::tr};
 
 /// Height of the line at a half's foot: its error.
 const FOOT: f32 = 40.0;
@@ -84,7 +79,6 @@ impl SideBySide {
         }
     }
 
-    /// The errors of both so far, in decades upwards.
     fn draw_errors(&self, canvas: &Canvas, panel: Area) {
         widgets::panel(canvas, panel);
         let decades = Decades { from: -15, to: 2 };
@@ -198,7 +192,6 @@ impl Placing {
         self.panel.centre() + Vec2::new(from_middle.x as f32, from_middle.y as f32) * self.scale
     }
 
-    /// The part of a box that is inside the panel, if any.
     fn seen(&self, body: &Aabb) -> Option<Area> {
         let inside = |point: Vec2| point.clamp(self.panel.min, self.panel.max());
         let (min, max) = (inside(self.at(body.min)), inside(self.at(body.max)));

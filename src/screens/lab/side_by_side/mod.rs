@@ -3,22 +3,14 @@
 mod drawing;
 
 use super::BACK;
-use crate::draw::Style;
 use crate::draw::layout::{Area, BUTTON_TEXT, DETAILS, Frame, TEXT, Vec2};
-use crate::lab::curve::worst;
 use crate::lab::side_by_side::{BoxMotion, Exhibit, STEPS, USUAL_STEP, error, exhibits};
-use crate::number;
-use crate::physics::{Aabb, DVec2};
-use crate::screens::screen::Request;
-use crate::settings::Key;
-use crate::ui::{Ui, WidgetKind};
-use crate::view::{theme, widgets};
-use crate::words::tr;
+use crate::{draw::Style, lab::curve::worst, number, settings::Key, words::tr};
+use crate::{physics::Aabb, physics::DVec2, screens::screen::Request, ui::Ui, ui::WidgetKind, view::theme, view::widgets};
 use std::collections::VecDeque;
 
 /// s. The most of a hitch that counts.
 const LONGEST_FRAME: f64 = 0.1;
-/// A button that changes the method of a half.
 struct MethodButton {
     label: &'static str,
     arrow: &'static str,
@@ -34,7 +26,6 @@ const METHOD_BUTTONS: [MethodButton; 4] = [
     MethodButton { label: "Method before, right", arrow: "‹", key: Key::Left, named: "←", further: [0, -1] },
     MethodButton { label: "Next method, right", arrow: "›", key: Key::Right, named: "→", further: [0, 1] },
 ];
-/// Their size.
 const CHOICE: Vec2 = Vec2::new(64.0, 40.0);
 const TITLE: f32 = 40.0;
 /// The method's name, its rule, and what it uses.
@@ -172,7 +163,6 @@ impl SideBySide {
         None
     }
 
-    /// At both ends of each half's name.
     fn show_choices(&mut self, ui: &mut Ui<'_>, panels: [Area; 2]) {
         let places = panels.into_iter().flat_map(|panel| [(panel.min.x, panel), (panel.max().x - CHOICE.x, panel)]);
         for ((x, panel), MethodButton { label, arrow, key, named, further }) in places.zip(METHOD_BUTTONS) {
@@ -199,7 +189,6 @@ impl SideBySide {
         }
     }
 
-    /// One step, then a pause.
     fn single_step(&mut self) {
         self.paused = true;
         self.left_over = 0.0;
