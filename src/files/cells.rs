@@ -95,7 +95,7 @@ pub type Suits<'a> = &'a dyn Fn(Dialect, &[SpannedRow]) -> i64;
 const SAMPLE_ROWS: usize = 8;
 const SAMPLE: usize = 1 << 16;
 
-/// The separator is the one that the file says, else the one that suits best. With one of `columns` alone a cell may hold any sign.
+/// The separator is the one that the file says, else the one that suits best. Where there is but one of `columns`, a cell may hold any sign.
 pub fn rows(bytes: &[u8], comments: bool, columns: usize, suits: Suits<'_>) -> CsvRows {
     let (text, encoding, broken) = Encoding::decode(bytes);
     let mut fault = fault_of_file(bytes, &text);

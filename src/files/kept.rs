@@ -92,7 +92,7 @@ impl<K: Keeper> Storage for PageFiles<K> {
         let key = key(path)?;
         let (folder, below) = (folder(&key), self.below(&key));
         let name =
-            |other: &'_ String| Some(other.strip_prefix(&folder)?.split('/').next()?.to_owned()).filter(|name| !name.is_empty());
+            |other: &String| Some(other.strip_prefix(&folder)?.split('/').next()?.to_owned()).filter(|name| !name.is_empty());
         let names: BTreeSet<String> = below.iter().filter_map(name).collect();
         if names.is_empty() && !key.is_empty() {
             return Err(io::ErrorKind::NotFound.into());

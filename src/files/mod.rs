@@ -1,6 +1,6 @@
 //! Files, whatever their content and home: [`Storage`] stands before a disk and a browser's storage; shipped levels lie beneath either. Only regular
-//! files up to their kind's size are read, a hundred times the known need: a pipe may never end, gigabytes would fill the memory. [`update`] changes
-//! a file that other programs may change.
+//! files up to their kind's size are read, a hundred times the known need: a pipe may never end, gigabytes would fill the memory. A file or folder is
+//! written whole or not at all; [`update`] is the one way to change a file that other programs may change, under a [`Lock`].
 
 mod cells;
 mod dialect;

@@ -69,8 +69,8 @@ fn judge_input(descriptor: i32) -> io::Result<()> {
     let of_a_terminal = || descriptor == 0 && io::stdin().is_terminal();
     let regular = || fs::metadata(format!("/dev/fd/{descriptor}")).is_ok_and(|found| found.is_file());
     let reads = match mode(descriptor) {
-        Some(WRITES) => false,
         _ if OUTPUTS.contains(&descriptor) => false,
+        Some(WRITES) => false,
         Some(BOTH) => regular() || of_a_terminal(),
         _ => true,
     };

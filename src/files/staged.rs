@@ -137,7 +137,7 @@ pub(super) fn create_folder(path: &Path, fill: &mut dyn FnMut(&Path) -> io::Resu
     Ok(())
 }
 
-/// Makes all below a folder outlast a power cut. One call for the whole file system waits for the disk once, not once a file, and reports what failed.
+/// Makes all below a folder outlast a power cut. One call for the whole file system waits for the disk once, not once a file, and reports failures.
 #[cfg(target_os = "linux")]
 fn sync_below(folder: &Path) -> io::Result<()> {
     Ok(rustix::fs::syncfs(File::open(folder)?)?)

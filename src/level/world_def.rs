@@ -150,7 +150,7 @@ pub fn sweep_touches(corners: &[DVec2], from: DVec2, to: DVec2, target: &Aabb, s
     [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].into_iter().chain(sides).all(meets)
 }
 
-/// The unit vector `angle` degrees clockwise from straight up. Whole quarter turns are taken out first: right angles are exact, many turns cost no digits.
+/// The unit vector `angle` degrees clockwise from straight up. Quarter turns are taken out first: right angles are exact, many turns cost no digits.
 pub fn nose(angle: f64) -> DVec2 {
     let quarters = (angle / 90.0).round();
     let (sin, cos) = libm::sincos((angle - quarters * 90.0).to_radians());
