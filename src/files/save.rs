@@ -1,5 +1,5 @@
-//! The one way to save a file that several programs may change: under the lock `.<file>.lock` the old bytes are read, and the new ones take their place,
-//! whole, once on the disk: no change is lost. In a shared folder a file keeps its mode and group; a link stays, and its target changes.
+//! The one way to save a file that several programs may change: under the lock `.<file>.lock` beside it the old bytes are read, and the new ones take
+//! their place, whole, once on the disk: no change is lost. In a shared folder a file keeps its mode and group; a link stays, its target changes.
 
 use super::storage::Manner;
 use super::{Lock, PATIENCE, Symlinks, around, behind_links, is_read_only, make_folder, read_if_there, replace_with};

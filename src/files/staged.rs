@@ -132,6 +132,7 @@ pub(super) fn create_folder(path: &Path, fill: &mut dyn FnMut(&Path) -> io::Resu
     fill(begun.path())?;
     sync_below(begun.path())?;
     fs::rename(begun.path(), path)?;
+    // Nothing is left to remove.
     drop(begun.keep());
     sync_folder(around);
     Ok(())

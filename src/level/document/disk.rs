@@ -25,7 +25,7 @@ pub struct LevelFolder {
     _lock: Option<Arc<EditorLock>>,
 }
 
-/// The side whose files stay where another program has written into files that are edited here.
+/// The side whose files stay where another program has written into files that are edited here: the document's or the other program's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KeptSide {
     Mine,

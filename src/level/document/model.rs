@@ -1,5 +1,6 @@
-//! The files of a level, with kind, place and cells of each row; a thing without a readable place is not drawn. The file of unsaved edits:
-//! name and length of each table, then its bytes. The changes of an operation: in each file the bytes between the first and the last that differ.
+//! The files of a level, with kind, place and cells of each row; a thing without a readable place is not drawn, and the loader lists its problem.
+//! The file of unsaved edits: name and length of each table, then its bytes. An operation's changes: in each file the bytes from the first to the
+//! last that differ.
 
 use super::places::{Place, parsed, shape};
 use super::sheet::EditedFile;

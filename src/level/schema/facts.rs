@@ -73,7 +73,9 @@ pub(in crate::level) enum Holds {
     Name,
     /// By which links find a body.
     BodyName,
+    /// Names that a switch works.
     Works,
+    /// Of a link.
     End,
     /// A picture's path or a plain shape; in an unfinished level a box may stand in for that of a body.
     Picture {
