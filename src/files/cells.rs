@@ -1,7 +1,5 @@
-//! Text to rows of cells through the `csv` crate, each with its line as an editor counts it and its place in the text. The crate's own line
-//! numbers are off after CRLF, blank lines and comments, so lines are counted up to its byte positions, which are exact.
-//!
-//! Readers of the `csv` crate, kept for the next file: a new one takes some 15 µs for its tables of states.
+//! Text to rows of cells through the `csv` crate, each with its place and its line as an editor counts it: the crate's own line numbers are off
+//! after CRLF, blank lines and comments, its byte positions are exact. Its readers are kept for the next file: a new one takes some 15 µs.
 
 use super::dialect::{Dialect, Encoding, said};
 use crate::words::tr;
@@ -48,7 +46,6 @@ impl CellFault {
 pub struct Cell {
     /// Without its quotes; a plain cell with the spaces around it.
     pub text: String,
-    /// Its first line.
     pub line: usize,
     /// Its bytes in the text, with its quotes but without the spaces around it.
     pub span: Range<usize>,
@@ -76,7 +73,6 @@ pub struct CsvRows {
     pub dialect: Dialect,
     /// Behind the byte-order mark.
     pub text: String,
-    /// Of the whole file.
     fault: Option<CellFault>,
     /// Some bytes were no text.
     broken: bool,
@@ -95,13 +91,11 @@ pub struct CsvRows {
 /// How well the first rows of a file suit it, as they are separated in a dialect.
 pub type Suits<'a> = &'a dyn Fn(Dialect, &[SpannedRow]) -> i64;
 
-/// Of the rows that show how a file is separated.
+/// The rows that show how a file is separated, and their bytes, at most.
 const SAMPLE_ROWS: usize = 8;
-/// Bytes.
 const SAMPLE: usize = 1 << 16;
 
-/// The separator is the one that the file says, else the one that suits best. `columns` is the number of the file's columns: a cell of a
-/// single one may hold any sign.
+/// The separator is the one that the file says, else the one that suits best. Where there is but one of `columns`, a cell may hold any sign.
 pub fn rows(bytes: &[u8], comments: bool, columns: usize, suits: Suits<'_>) -> CsvRows {
     let (text, encoding, broken) = Encoding::decode(bytes);
     let mut fault = fault_of_file(bytes, &text);
@@ -149,10 +143,9 @@ impl Iterator for CsvRows {
 
     fn next(&mut self) -> Option<SpannedRow> {
         if let Some(fault) = self.fault.take() {
-            let span = 0..self.text.len();
             self.at = self.text.len();
-            let cell = Cell { text: String::new(), line: 1, span: span.clone(), fault: Some(fault) };
-            return Some(SpannedRow { line: 1, cells: vec![cell], span });
+            let cell = Cell { text: String::new(), line: 1, span: 0..self.at, fault: Some(fault) };
+            return Some(SpannedRow { line: 1, cells: vec![cell], span: 0..self.at });
         }
         loop {
             let row = self.row()?;
@@ -244,10 +237,9 @@ struct RowBounds {
     odd: bool,
 }
 
+/// A cell without spaces around it; of its quotes the opening and the closing one.
 struct CellBounds {
-    /// Without spaces around it.
     span: Range<usize>,
-    /// The opening and the closing quote.
     quotes: Option<(usize, usize)>,
     fault: Option<CellFault>,
 }
@@ -301,7 +293,6 @@ fn is_space(c: char, delimiter: char) -> bool {
     c.is_whitespace() && !matches!(c, '\n' | '\r') && c != delimiter
 }
 
-/// Line ends within a range.
 fn line_ends(text: &str, range: Range<usize>) -> usize {
     let bytes = text.as_bytes();
     range.filter(|i| bytes[*i] == b'\n' || bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n')).count()
@@ -347,19 +338,17 @@ impl PooledReader {
         pooled
     }
 
+    // The text is in memory: its length is a usize, and every place can be sought.
     pub fn byte(&self) -> usize {
-        // The text is in memory: its length is a usize.
         self.reader.as_ref().map_or(0, |reader| reader.position().byte() as usize)
     }
 
     pub fn seek(&mut self, byte: usize) {
         let mut position = Position::new();
         position.set_byte(byte as u64);
-        // Memory takes every place.
         drop(self.reader.as_mut().map(|reader| reader.seek_raw(SeekFrom::Start(byte as u64), position)));
     }
 
-    /// The next record; `false` at the end.
     pub fn read(&mut self, record: &mut StringRecord) -> bool {
         self.reader.as_mut().is_some_and(|reader| reader.read_record(record).unwrap_or(false))
     }

@@ -33,11 +33,10 @@ impl Encoding {
         match encoding {
             Self::Utf16Le => wide(u16::from_le_bytes),
             Self::Utf16Be => wide(u16::from_be_bytes),
-            Self::Utf8 | Self::MarkedUtf8 => {
-                let text = String::from_utf8_lossy(rest);
-                let broken = matches!(text, Cow::Owned(_));
-                (text.into_owned(), encoding, broken)
-            }
+            Self::Utf8 | Self::MarkedUtf8 => match String::from_utf8_lossy(rest) {
+                Cow::Borrowed(text) => (text.to_owned(), encoding, false),
+                Cow::Owned(text) => (text, encoding, true),
+            },
         }
     }
 
@@ -106,7 +105,7 @@ impl Dialect {
     fn with_points(self, text: &str) -> impl Iterator<Item = char> {
         text.chars().map(move |c| match c {
             ',' if self.takes_decimal_commas() => '.',
-            c if is_minus(c) => '-',
+            c if MINUS.contains(&c) => '-',
             c => c,
         })
     }
@@ -136,23 +135,18 @@ pub fn separators(delimiter: u8) -> Option<&'static str> {
 }
 
 /// The typographic minus, and the dash that stands in for it.
-const fn is_minus(c: char) -> bool {
-    matches!(c, '\u{2212}' | '\u{2013}')
-}
-
+const MINUS: [char; 2] = ['\u{2212}', '\u{2013}'];
 /// What French spreadsheets write between thousands.
-const fn is_narrow_space(c: char) -> bool {
-    matches!(c, '\u{a0}' | '\u{2009}' | '\u{202f}')
-}
+const NARROW_SPACES: [char; 3] = ['\u{a0}', '\u{2009}', '\u{202f}'];
 
 /// A number without the spaces between its thousands; `None` where there are none, or at other places.
 fn without_thousands(text: &str) -> Option<String> {
     let whole = &text[..text.find(['.', ',']).unwrap_or(text.len())];
-    let mut groups = whole.split(is_narrow_space);
-    let first = groups.next()?.trim_start_matches(|c| c == '+' || c == '-' || is_minus(c));
+    let mut groups = whole.split(NARROW_SPACES);
+    let first = groups.next()?.trim_start_matches(|c| c == '+' || c == '-' || MINUS.contains(&c));
     let digits = |group: &str| group.bytes().all(|byte| byte.is_ascii_digit());
     let grouped = (1..=3).contains(&first.len()) && digits(first) && groups.all(|group| group.len() == 3 && digits(group));
-    (grouped && whole.contains(is_narrow_space)).then(|| text.replace(is_narrow_space, ""))
+    (grouped && whole.contains(NARROW_SPACES)).then(|| text.replace(NARROW_SPACES, ""))
 }
 
 /// TRUE or FALSE in any case, also as the spreadsheets of other languages write it.
@@ -175,9 +169,8 @@ pub(super) fn said(text: &str) -> Option<(char, usize)> {
     let rest = rest.get(4..).filter(|_| rest[..4].eq_ignore_ascii_case("sep="))?;
     let sign = rest.chars().next()?;
     // A spreadsheet fills the line with empty cells.
-    let alone =
-        rest.chars().all(|c| c == sign || c == '"' || c.is_whitespace() || Dialect::DELIMITERS.iter().any(|d| char::from(*d) == c));
-    alone.then_some((sign, line.len()))
+    let is_empty = |c: char| c == sign || c == '"' || c.is_whitespace() || Dialect::DELIMITERS.map(char::from).contains(&c);
+    rest.chars().all(is_empty).then_some((sign, line.len()))
 }
 
 #[cfg(test)]

@@ -30,7 +30,6 @@ pub fn is_file(path: &Path) -> bool {
     look(path).is_ok_and(|found| found.kind == FileKind::File)
 }
 
-/// Whether that is a file that nobody may write.
 pub fn is_read_only(path: &Path) -> bool {
     look(path).is_ok_and(|found| found.kind == FileKind::File && found.read_only)
 }
@@ -60,8 +59,7 @@ pub fn resolve(path: &Path) -> io::Result<PathBuf> {
     home().resolve(path)
 }
 
-/// At most `at_most` bytes. A file that the caller of the program has passed on open (`/dev/stdin`, `/dev/fd/3`) may be of any kind. Errors: as
-/// [`Storage::read`].
+/// At most `at_most` bytes. A file that the program was handed open (`/dev/stdin`, `/dev/fd/3`) may be of any kind. Errors: as [`Storage::read`].
 pub fn read(path: &Path, at_most: u64) -> io::Result<Vec<u8>> {
     read_with(path, at_most, Symlinks::Followed)
 }
@@ -70,7 +68,7 @@ pub fn read_with(path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u
     home().read(path, at_most, links)
 }
 
-/// As [`read`]; bytes that are no text are an error. A byte-order mark tells UTF-16.
+/// As [`read`] and [`text()`].
 pub fn read_text(path: &Path, at_most: u64) -> io::Result<String> {
     text(&read(path, at_most)?)
 }

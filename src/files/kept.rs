@@ -45,6 +45,10 @@ impl<K: Keeper> PageFiles<K> {
         self.0.get(&key(path)?)?.ok_or_else(|| io::ErrorKind::NotFound.into())
     }
 
+    fn refuse_taken(&self, path: &Path) -> io::Result<()> {
+        if self.look(path, Symlinks::Never).is_ok() { Err(io::ErrorKind::AlreadyExists.into()) } else { Ok(()) }
+    }
+
     /// The keys of a file, or of all files below a folder.
     fn below(&self, key: &str) -> Vec<String> {
         let folder = folder(key);
@@ -86,12 +90,10 @@ impl<K: Keeper> Storage for PageFiles<K> {
 
     fn names(&self, path: &Path) -> io::Result<Vec<OsString>> {
         let key = key(path)?;
-        let folder = folder(&key);
-        let below = self.below(&key);
-        let names: BTreeSet<&str> = below
-            .iter()
-            .filter_map(|other| other.strip_prefix(&folder)?.split('/').next().filter(|name| !name.is_empty()))
-            .collect();
+        let (folder, below) = (folder(&key), self.below(&key));
+        let name =
+            |other: &String| Some(other.strip_prefix(&folder)?.split('/').next()?.to_owned()).filter(|name| !name.is_empty());
+        let names: BTreeSet<String> = below.iter().filter_map(name).collect();
         if names.is_empty() && !key.is_empty() {
             return Err(io::ErrorKind::NotFound.into());
         }
@@ -114,9 +116,7 @@ impl<K: Keeper> Storage for PageFiles<K> {
     }
 
     fn create(&self, path: &Path, bytes: &[u8]) -> io::Result<()> {
-        if self.look(path, Symlinks::Never).is_ok() {
-            return Err(io::ErrorKind::AlreadyExists.into());
-        }
+        self.refuse_taken(path)?;
         Ok(self.0.set(&key(path)?, bytes)?)
     }
 
@@ -133,9 +133,7 @@ impl<K: Keeper> Storage for PageFiles<K> {
     }
 
     fn create_folder(&self, path: &Path, fill: &mut dyn FnMut(&Path) -> io::Result<()>) -> io::Result<()> {
-        if self.look(path, Symlinks::Never).is_ok() {
-            return Err(io::ErrorKind::AlreadyExists.into());
-        }
+        self.refuse_taken(path)?;
         let key = key(path)?;
         fill(path).inspect_err(|_| self.below(&key).iter().for_each(|key| self.0.remove(key)))
     }

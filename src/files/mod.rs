@@ -1,7 +1,6 @@
-//! Reading, locking and writing files, whatever their content and their home: [`Storage`] is the one trait in front of a disk and of a
-//! browser's storage, and the shipped levels lie beneath either. **Reading** takes only regular files up to their kind's size, a
-//! hundred times its known need: a pipe may never end, and gigabytes would fill the memory. [`Lock`] keeps two programs from
-//! changing one file at once. **Writing** makes a file or folder whole or not at all; [`update`] is the one way to change a file that other programs may change.
+//! Files, whatever their content and home: [`Storage`] stands before a disk and a browser's storage; shipped levels lie beneath either. Only regular
+//! files up to their kind's size are read, a hundred times the known need: a pipe may never end, gigabytes would fill the memory. A file or folder is
+//! written whole or not at all; [`update`] is the one way to change a file that other programs may change, under a [`Lock`].
 
 mod cells;
 mod dialect;

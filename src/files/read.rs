@@ -64,8 +64,7 @@ fn descriptor(path: &Path) -> Option<i32> {
     standard.map(|number| number as i32).or_else(numbered)
 }
 
-/// Refuses what never ends for this process: its own outputs, and a pipe or terminal that it holds open for writing, too. Standard
-/// input may be a terminal, which a user ends.
+/// Refuses what never ends for this process: its outputs, and what it holds open for writing, too, but a terminal as input, which a user ends.
 fn judge_input(descriptor: i32) -> io::Result<()> {
     let of_a_terminal = || descriptor == 0 && io::stdin().is_terminal();
     let regular = || fs::metadata(format!("/dev/fd/{descriptor}")).is_ok_and(|found| found.is_file());
@@ -75,9 +74,8 @@ fn judge_input(descriptor: i32) -> io::Result<()> {
         Some(BOTH) => regular() || of_a_terminal(),
         _ => true,
     };
-    let refusal =
-        || io::Error::new(io::ErrorKind::InvalidInput, tr("found an output of this program, expected a file or an input"));
-    if reads { Ok(()) } else { Err(refusal()) }
+    let refusal = tr("found an output of this program, expected a file or an input");
+    if reads { Ok(()) } else { Err(io::Error::new(io::ErrorKind::InvalidInput, refusal)) }
 }
 
 /// Standard output and standard error.

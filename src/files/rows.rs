@@ -46,20 +46,15 @@ pub struct BadCell {
 
 impl<'a> CsvFile<'a> {
     pub fn rows<'b>(self, bytes: &'b [u8]) -> impl Iterator<Item = CsvRow<'a>> + use<'a, 'b> {
-        self.rows_where(bytes, |_| false)
+        self.in_dialect(self.spanned(bytes, |_| false))
     }
 
     /// As [`CsvFile::rows`], of a file that may lack its header: its separator shows in rows that are structs.
     pub fn rows_of<'b, T: CsvStruct>(self, bytes: &'b [u8]) -> impl Iterator<Item = CsvRow<'a>> + use<'a, 'b, T> {
-        self.rows_where(bytes, |row| row.read::<T>().is_ok())
+        self.in_dialect(self.spanned(bytes, |row| row.read::<T>().is_ok()))
     }
 
-    fn rows_where<'b, F: Fn(&CsvRow<'_>) -> bool>(
-        self,
-        bytes: &'b [u8],
-        is_good: F,
-    ) -> impl Iterator<Item = CsvRow<'a>> + use<'a, 'b, F> {
-        let rows = self.spanned(bytes, is_good);
+    fn in_dialect(self, rows: CsvRows) -> impl Iterator<Item = CsvRow<'a>> {
         let dialect = rows.dialect;
         rows.map(move |row| self.row(dialect, row))
     }
@@ -101,7 +96,7 @@ impl<'a> CsvFile<'a> {
 }
 
 impl CsvRow<'_> {
-    /// The first one. Text behind a closing quote belongs to its cell.
+    /// Text behind a closing quote belongs to its cell.
     pub fn fault(&self) -> Option<CellFault> {
         self.cells.iter().filter_map(|cell| cell.fault).find(|fault| *fault != CellFault::AfterQuote)
     }
@@ -155,9 +150,8 @@ impl CsvRow<'_> {
             return Err(wrong);
         }
         // Of good cells serde refuses none; whatever it does refuse has a message.
-        let bad =
-            |error: csv::Error| BadCell { column: T::COLUMNS[0].name, found: error.to_string(), expected: self.file.header() };
-        record.deserialize(None).map_err(|error| vec![bad(error)])
+        let (column, expected) = (T::COLUMNS[0].name, self.file.header());
+        record.deserialize(None).map_err(|error| vec![BadCell { column, found: error.to_string(), expected }])
     }
 
     /// As messages, a line each.

@@ -1,6 +1,5 @@
-//! The one way to save a file that several programs may change: under the lock `.<file>.lock` beside it the old bytes are read, and the
-//! new ones take their place, whole, once they are on the disk. So no change is lost, and a reader finds the old file or the new one. In a
-//! shared folder a file keeps its mode and group; a link stays, and its target changes.
+//! The one way to save a file that several programs may change: under the lock `.<file>.lock` beside it the old bytes are read, and the new ones take
+//! their place, whole, once on the disk: no change is lost. In a shared folder a file keeps its mode and group; a link stays, its target changes.
 
 use super::storage::Manner;
 use super::{Lock, PATIENCE, Symlinks, around, behind_links, is_read_only, make_folder, read_if_there, replace_with};
@@ -16,8 +15,8 @@ pub enum SaveError {
     Busy(PathBuf),
     /// The file would be larger than this, bytes.
     Full(PathBuf, u64),
+    /// The attempt as in "cannot …".
     File {
-        /// As in "cannot …".
         attempt: &'static str,
         path: PathBuf,
         source: io::Error,

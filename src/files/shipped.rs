@@ -90,13 +90,8 @@ impl<H: Storage> AboveShipped<H> {
     }
 
     /// What the home answers, or, where it has nothing there, what the shipped files do.
-    fn or_shipped<T>(
-        &self,
-        path: &Path,
-        answer: io::Result<T>,
-        shipped: impl FnOnce(ShippedItem) -> io::Result<T>,
-    ) -> io::Result<T> {
-        match answer {
+    fn or_shipped<T>(&self, path: &Path, own: io::Result<T>, shipped: impl FnOnce(ShippedItem) -> io::Result<T>) -> io::Result<T> {
+        match own {
             Err(error) if matches!(error.kind(), io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
                 match self.shipped(path) {
                     Some(item) => shipped(item),
@@ -105,7 +100,7 @@ impl<H: Storage> AboveShipped<H> {
                     None => Err(error),
                 }
             }
-            answer => answer,
+            own => own,
         }
     }
 

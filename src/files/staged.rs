@@ -1,6 +1,5 @@
-//! Files and folders that are made whole or not at all. Content is staged beside its target under a hidden random name, and renamed
-//! once it is on the disk. The staged file is created exclusively, so that no link is followed, and locked: the next write in the
-//! folder removes one without a lock, which a killed process has left.
+//! Files and folders made whole or not at all: content is staged beside its target under a hidden random name, and renamed once it is on the disk.
+//! A staged file is created exclusively, so that no link is followed, and locked: the next write removes one without a lock, of a killed process.
 
 use super::read::{Symlinks, judge, open};
 use crate::words::tr;
@@ -60,10 +59,7 @@ impl Replacement {
         let Some(found) = &self.found else { return Ok(()) };
         let file = self.staged.as_file();
         keep_owner(file, found);
-        if file.metadata()?.permissions() == found.permissions() {
-            return Ok(());
-        }
-        file.set_permissions(found.permissions())
+        if file.metadata()?.permissions() == found.permissions() { Ok(()) } else { file.set_permissions(found.permissions()) }
     }
 
     /// After an error the old file is in its place.
@@ -102,8 +98,7 @@ impl Write for Replacement {
     }
 }
 
-/// Makes a file where there is none, on the disk when this returns.
-/// Errors: [`io::ErrorKind::AlreadyExists`]; the system's. Nothing is left behind then.
+/// As [`Storage::create`](super::Storage::create), on the disk when this returns.
 pub(super) fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if fs::symlink_metadata(path).is_ok() {
         return Err(io::ErrorKind::AlreadyExists.into());
@@ -116,8 +111,7 @@ pub(super) fn create(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Makes a folder where there is none; `fill` fills it under another name.
-/// Errors: [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the system's. Nothing is left behind then.
+/// `fill` fills it under another name. Errors: [`io::ErrorKind::AlreadyExists`]; the errors of `fill`; the system's. Nothing is left behind then.
 pub(super) fn create_folder(path: &Path, fill: &mut dyn FnMut(&Path) -> io::Result<()>) -> io::Result<()> {
     // A rename would take the place of an empty folder.
     if fs::symlink_metadata(path).is_ok() {
@@ -144,8 +138,7 @@ pub(super) fn create_folder(path: &Path, fill: &mut dyn FnMut(&Path) -> io::Resu
     Ok(())
 }
 
-/// Makes all files and folders below a folder, and their names in it, outlast a power cut. One call for the whole file system waits for the
-/// disk once, and not once a file: it writes all that was written before it, and reports what failed.
+/// Makes all below a folder outlast a power cut. One call for the whole file system waits for the disk once, not once a file, and reports failures.
 #[cfg(target_os = "linux")]
 fn sync_below(folder: &Path) -> io::Result<()> {
     Ok(rustix::fs::syncfs(File::open(folder)?)?)
@@ -197,8 +190,7 @@ pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
     })
 }
 
-/// The file whose place new content for `path` takes, and the old file there.
-/// Errors: a read-only file; no regular file; a link without a target; the system's.
+/// The file whose place new content for `path` takes, and the old file there. Errors: as [`Replacement::begin`].
 fn target(path: &Path, links: Symlinks) -> io::Result<(PathBuf, Option<Metadata>)> {
     let target = if links == Symlinks::Followed { behind_links(path)? } else { path.to_path_buf() };
     let found = match fs::symlink_metadata(&target) {
@@ -221,13 +213,9 @@ fn target(path: &Path, links: Symlinks) -> io::Result<(PathBuf, Option<Metadata>
 /// An empty, locked file.
 fn stage(folder: &Path, mode: u32) -> io::Result<NamedTempFile> {
     sweep(folder);
-    for _ in 0..MOST_SWEPT {
-        let staged = builder(mode).tempfile_in(folder)?;
-        if holds(staged.as_file(), staged.path()) {
-            return Ok(staged);
-        }
-    }
-    Err(io::ErrorKind::ResourceBusy.into())
+    let held = |staged: &io::Result<NamedTempFile>| staged.as_ref().map_or(true, |staged| holds(staged.as_file(), staged.path()));
+    let staged = (0..MOST_SWEPT).map(|_| builder(mode).tempfile_in(folder)).find(held);
+    staged.unwrap_or_else(|| Err(io::ErrorKind::ResourceBusy.into()))
 }
 
 /// Names for staged files. A file or folder of that mode is open to others as far as the umask says.

@@ -1,6 +1,5 @@
-//! The one trait behind which files stand, whatever their home: a disk, or what a browser keeps for a page; files on a disk; and locks
-//! between programs. The system frees a lock when its process ends. The lock file stays; where a holder removes it, the next one
-//! locks the file that has its name by then.
+//! The one trait behind which files stand, whatever their home: a disk, or what a browser keeps; files on a disk; and locks between programs. The
+//! system frees a lock when its process ends. The lock file stays; where a holder removes it, the next one locks the file of its name by then.
 
 use super::read::{Symlinks, open, read_file};
 use super::staged::{self, Replacement, around};
@@ -44,13 +43,10 @@ pub struct Manner {
 pub trait Storage: Sync {
     /// Errors: [`io::ErrorKind::NotFound`]; the home's.
     fn look(&self, path: &Path, links: Symlinks) -> io::Result<Found>;
-
-    /// The names in a folder, in any order.
+    /// In any order.
     fn names(&self, folder: &Path) -> io::Result<Vec<OsString>>;
-
     /// The path without links and dots.
     fn resolve(&self, path: &Path) -> io::Result<PathBuf>;
-
     /// At most `at_most` bytes. Errors: no regular file, or a larger one; the home's.
     fn read(&self, path: &Path, at_most: u64, links: Symlinks) -> io::Result<Vec<u8>>;
 
@@ -71,11 +67,8 @@ pub trait Storage: Sync {
 
     /// Makes a folder where there is none, whole or not at all: `fill` fills the folder of the path that it is given.
     fn create_folder(&self, path: &Path, fill: &mut dyn FnMut(&Path) -> io::Result<()>) -> io::Result<()>;
-
     fn remove(&self, path: &Path) -> io::Result<()>;
-
     fn rename(&self, from: &Path, to: &Path) -> io::Result<()>;
-
     fn lock(&self, path: &Path, patience: Duration) -> io::Result<Lock>;
 }
 
@@ -212,9 +205,7 @@ impl Lock {
                 Ok(()) if is_at(&file, path) => return Ok(Self { held: Some(file) }),
                 // The holder before has removed the file.
                 Ok(()) => file = open_lock(path)?,
-                Err(TryLockError::WouldBlock) if begun.elapsed() < patience => {
-                    std::thread::sleep(PAUSE);
-                }
+                Err(TryLockError::WouldBlock) if begun.elapsed() < patience => std::thread::sleep(PAUSE),
                 Err(TryLockError::WouldBlock) => return Err(io::ErrorKind::WouldBlock.into()),
                 Err(TryLockError::Error(error)) => return Err(error),
             }
@@ -224,10 +215,7 @@ impl Lock {
 
 fn open_lock(path: &Path) -> io::Result<File> {
     match File::create_new(path) {
-        Ok(file) => {
-            share(around(path), &file, true)?;
-            return Ok(file);
-        }
+        Ok(file) => return share(around(path), &file, true).map(|()| file),
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
         Err(error) => return Err(error),
     }
@@ -238,10 +226,9 @@ fn open_lock(path: &Path) -> io::Result<File> {
 
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
-    use std::fs::{Metadata, symlink_metadata};
     use std::os::unix::fs::MetadataExt;
-    let same = |a: Metadata, b: Metadata| a.dev() == b.dev() && a.ino() == b.ino();
-    file.metadata().ok().zip(symlink_metadata(path).ok()).is_some_and(|(a, b)| same(a, b))
+    let same = |(a, b): (Metadata, Metadata)| a.dev() == b.dev() && a.ino() == b.ino();
+    file.metadata().ok().zip(fs::symlink_metadata(path).ok()).is_some_and(same)
 }
 
 /// Elsewhere an open file cannot be removed.
@@ -250,8 +237,7 @@ fn is_at(_: &File, _: &Path) -> bool {
     true
 }
 
-/// Lets every user who may write in the folder read and write the file, against the process' umask. Other users keep their rights,
-/// or have none to a private file.
+/// Lets every user who may write in the folder read and write the file, against the umask. Others keep their rights, or have none to a private file.
 #[cfg(unix)]
 pub fn share(folder: &Path, file: &File, private: bool) -> io::Result<()> {
     use std::os::unix::fs::PermissionsExt;

@@ -1,5 +1,4 @@
-//! The things of a level's files, row by row, before the checks of the whole level.
-//! The reader of a level's files: their bytes, their rows, the things of the rows.
+//! The reader of a level's files, and their things, row by row, before the checks of the whole level.
 
 use super::image::{self, BACKGROUND, Files, Images};
 use super::problem::{Problem, at_most};
@@ -12,12 +11,9 @@ use super::types::{
     Switch, Text,
 };
 use super::{numbers::PixelScale, schema::settings::LevelSettings};
-
 use crate::physics::{Aabb, DVec2};
 use crate::words::tr;
-use std::collections::BTreeSet;
-use std::io;
-use std::path::PathBuf;
+use std::{collections::BTreeSet, io, path::PathBuf};
 
 /// The most pairs of a shaded stream and a solid: some 10 ms.
 const MOST_PAIRS: usize = 4_000_000;
@@ -105,20 +101,18 @@ pub(super) struct Draft {
 
 impl Draft {
     /// Reads all files but constants.csv; `size` is in pixels.
-    pub fn read(reader: &mut LevelReader, size: Option<DVec2>, settings: LevelSettings) -> Self {
+    pub fn read(reader: &mut LevelReader, size: Option<DVec2>, mut settings: LevelSettings) -> Self {
         let player = if settings.is_experiment() { None } else { player(reader) };
         let world = reader.things(Table::World, blocks::solid);
         let mut objects = reader.things(Table::Objects, bodies::object);
         let objectives = objectives(reader, settings.is_experiment(), &mut objects);
         let streams = streams(reader, &world);
-        let mut settings = settings;
         let stars = stars(reader, &mut settings);
         if let Some(Mark::Together(count, _)) = settings.awards.mark.filter(|_| !objectives.is_empty())
             && count as usize > objectives.len()
         {
             let found = tr!("{count} objectives of {all}", count, all = objectives.len());
-            let most = at_most(objectives.len());
-            reader.rows.problems.push(settings.given.problem("mark_together", found, most));
+            reader.rows.problems.push(settings.given.problem("mark_together", found, at_most(objectives.len())));
         }
         Self {
             size,
@@ -223,10 +217,8 @@ fn player(reader: &mut LevelReader) -> Option<FromRow<ShipStart>> {
     for line in table.lines.iter().skip(1) {
         reader.rows.problems.push(bodies::SHIP.problem(*line, tr("one more row"), one));
     }
-    let mut ships: Vec<_> = Vec::new();
-    for record in &table.records {
-        ships.push(bodies::player(record, &mut reader.rows).map(|ship| FromRow::new(record, ship)));
-    }
+    let read = |record| Some(FromRow::new(record, bodies::player(record, &mut reader.rows)?));
+    let ships: Vec<_> = table.records.iter().map(read).collect();
     ships.into_iter().next().flatten()
 }
 
@@ -238,19 +230,15 @@ fn objectives(reader: &mut LevelReader, experiment: bool, objects: &mut Vec<From
     let mut objectives = Vec::new();
     let (mut first_physics, mut blocks, mut keys) = (None, 0, 0);
     for record in &table.records {
-        let kind = match record.schema.tag {
-            tag if tag == bodies::KEY.tag => {
-                keys += 1;
-                objects.extend(bodies::key(record, &mut reader.rows).map(|key| FromRow::new(record, key)));
-                continue;
-            }
-            tag if tag == bodies::PAD.tag => ObjectiveKind::Player,
-            _ => ObjectiveKind::Physics,
-        };
-        if experiment {
+        if record.schema.tag == bodies::KEY.tag {
+            keys += 1;
+            objects.extend(bodies::key(record, &mut reader.rows).map(|key| FromRow::new(record, key)));
+        }
+        if experiment || record.schema.tag == bodies::KEY.tag {
             continue;
         }
         blocks += 1;
+        let kind = if record.schema.tag == bodies::PAD.tag { ObjectiveKind::Player } else { ObjectiveKind::Physics };
         if kind == ObjectiveKind::Physics {
             first_physics.get_or_insert(record);
         }
@@ -272,8 +260,7 @@ fn stars(reader: &mut LevelReader, settings: &mut LevelSettings) -> Vec<FromRow<
     let stars = reader.things(Table::Stars, zones::star);
     let Some(first) = stars.first() else { return stars };
     if let Some(mark) = settings.marked.filter(|_| settings.awards.mark.is_some()) {
-        let found = tr!("a star beside {mark}", mark);
-        reader.rows.problems.push(first.problem("x", found, tr("one mark a level")));
+        reader.rows.problems.push(first.problem("x", tr!("a star beside {mark}", mark), tr("one mark a level")));
     }
     settings.awards.mark = Some(Mark::Stars);
     stars
@@ -281,16 +268,14 @@ fn stars(reader: &mut LevelReader, settings: &mut LevelSettings) -> Vec<FromRow<
 
 /// A shaded stream ends at the first solid before it.
 fn streams(reader: &mut LevelReader, world: &[FromRow<Solid>]) -> Vec<FromRow<AirStream>> {
-    let mut streams = Vec::new();
-    let mut pairs = 0;
+    let (mut streams, mut pairs) = (Vec::new(), 0);
     for placed in reader.things(Table::Hazards, zones::stream) {
         let (mut stream, shaded) = placed.item.clone();
         pairs += if shaded { world.len() } else { 0 };
         if pairs > MOST_PAIRS {
             let found = tr!("one more shaded stream beside {count} solids", count = world.len());
-            let most = MOST_PAIRS / world.len();
-            let expected =
-                tr!("at most {most} in this level: shaded streams times solids are at most {pairs}", most, pairs = MOST_PAIRS);
+            let (most, pairs) = (MOST_PAIRS / world.len(), MOST_PAIRS);
+            let expected = tr!("at most {most} in this level: shaded streams times solids are at most {pairs}", most, pairs);
             reader.rows.problems.push(placed.problem("shaded", found, expected));
             break;
         }

@@ -1,5 +1,4 @@
-//! The source of the loader's bytes; and images as the loader needs them: whether a path stays in the project, whether there is a PNG, and its size.
-//! Winds that solids shade.
+//! The source of the loader's bytes; images as it needs them: whether a path stays in the project, and a PNG's size; and winds that solids shade.
 
 use super::types::{AirStream, Look};
 use super::{numbers::PixelScale, problem::quoted};
@@ -14,7 +13,6 @@ pub const BACKGROUND: &str = "background.png";
 pub trait Files {
     /// A file of the level folder, by name. Errors: [`io::ErrorKind::NotFound`] where there is none; any other where it cannot be read.
     fn level_file(&self, name: &str) -> io::Result<Vec<u8>>;
-
     /// A file of the project, by its path from the project's folder with forward slashes.
     fn project_file(&self, path: &str) -> io::Result<Vec<u8>>;
 
@@ -33,10 +31,8 @@ pub trait Files {
 const MOST_SIDE: u32 = 16_384;
 /// The most pixels of a picture: 32 MiB when it is unpacked. A PNG of a few kilobytes can unfold to gigabytes.
 const MOST_PIXELS: u64 = 1 << 23;
-/// The box that stands in for a missing picture.
 const STAND_IN: &str = "box:40x40";
-/// The most pixels of all the pictures of a level together, its background with them: 48 MiB, several times as much with the
-/// copies of a graphics driver.
+/// The most pixels of a level's pictures and background together: 48 MiB, several times as much with the copies of a graphics driver.
 const MOST_PIXELS_IN_ALL: u64 = 12 << 20;
 
 /// Words for the found and for the expected.
@@ -64,20 +60,15 @@ impl<'a> Images<'a> {
     pub fn look(&mut self, cell: &str, scale: PixelScale) -> Result<PictureShape, PictureRefusal> {
         for (prefix, look) in [("box:", Look::Box), ("ball:", Look::Ball)] {
             if let Some(size) = cell.get(..prefix.len()).filter(|start| start.eq_ignore_ascii_case(prefix)) {
-                let size = &cell[size.len()..];
-                let (width, height) = plain_size(size, scale)
-                    .ok_or_else(|| (quoted(cell), tr!("{prefix}WIDTHxHEIGHT in pixels, such as {prefix}40x40", prefix)))?;
+                let refusal = || (quoted(cell), tr!("{prefix}WIDTHxHEIGHT in pixels, such as {prefix}40x40", prefix));
+                let (width, height) = plain_size(&cell[size.len()..], scale).ok_or_else(refusal)?;
                 return Ok((look, width, height));
             }
         }
-        if let Some((shape, _)) =
-            cell.split_once(':').filter(|(shape, _)| shape.len() > 1 && shape.chars().all(char::is_alphabetic))
-        {
-            let expected = tr("box:40x40, ball:40x40 or a PNG's path");
-            return Err((
-                tr!("{cell}, with the unknown shape {shape}", cell = quoted(cell), shape = quoted(shape)),
-                expected.into(),
-            ));
+        let is_shape = |(shape, _): &(&str, &str)| shape.len() > 1 && shape.chars().all(char::is_alphabetic);
+        if let Some((shape, _)) = cell.split_once(':').filter(is_shape) {
+            let found = tr!("{cell}, with the unknown shape {shape}", cell = quoted(cell), shape = quoted(shape));
+            return Err((found, tr("box:40x40, ball:40x40 or a PNG's path").into()));
         }
         let path = project_path(cell)?;
         let (files, pixels) = (self.files, &mut self.pixels);
@@ -119,8 +110,7 @@ fn project_path(cell: &str) -> Result<String, PictureRefusal> {
     if leaves { Err((tr!("{cell}, which leads out of the project", cell = quoted(cell)), expected.into())) } else { Ok(path) }
 }
 
-/// Width and height of a PNG in pixels, both > 0. `name` is how the author wrote it.
-/// Errors: there is no such file, it cannot be read, it is no PNG, or it would unfold to too many pixels.
+/// Width and height in pixels, both > 0; `name` is the author's. Errors: no such file, unreadable, no PNG, or one that unfolds to too many pixels.
 pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Result<(f64, f64), PictureRefusal> {
     let expected = || tr("a PNG image").to_owned();
     let bytes = bytes.map_err(|error| match error.kind() {
@@ -138,11 +128,9 @@ pub(super) fn png_size(bytes: io::Result<impl AsRef<[u8]>>, name: &str) -> Resul
     let head = decoder.read_header_info().map_err(damaged)?;
     let (width, height) = (head.width, head.height);
     if width.max(height) > MOST_SIDE || u64::from(width) * u64::from(height) > MOST_PIXELS {
-        let found = tr!("{file} of {width} × {height} pixels", file = quoted(name), width, height);
-        return Err((
-            found,
-            tr!("a PNG image of at most {most} pixels, none of its sides above {side}", most = MOST_PIXELS, side = MOST_SIDE),
-        ));
+        let (most, side) = (MOST_PIXELS, MOST_SIDE);
+        let expected = tr!("a PNG image of at most {most} pixels, none of its sides above {side}", most, side);
+        return Err((tr!("{file} of {width} × {height} pixels", file = quoted(name), width, height), expected));
     }
     // All chunks and their checksums, without unpacking the picture: a file that was cut short is refused here, not when it is drawn.
     decoder.read_info().and_then(|mut reader| reader.finish()).map_err(damaged)?;
@@ -156,14 +144,12 @@ fn other_picture(bytes: &[u8]) -> Option<&'static str> {
     begins.into_iter().find(|(begin, _)| bytes.starts_with(begin)).map(|(_, kind)| kind)
 }
 
-/// The bytes of a picture, judged again: the file may have changed since its level was loaded.
-/// Errors: it cannot be read, is no PNG, or would unfold to too many pixels.
+/// The bytes of a picture, judged again, as the file may have changed since its level was loaded. Errors: unreadable, no PNG, or too many pixels.
 pub fn read_picture(path: &Path) -> io::Result<Vec<u8>> {
     let bytes = files::read(path, files::PICTURE)?;
-    let refused =
-        |(found, expected)| io::Error::new(io::ErrorKind::InvalidData, tr!("found {found}, expected {expected}", found, expected));
-    png_size(Ok(&bytes), &path.display().to_string()).map_err(refused)?;
-    Ok(bytes)
+    let refusal = |(found, expected)| tr!("found {found}, expected {expected}", found, expected);
+    let judged = png_size(Ok(&bytes), &path.display().to_string()).map_err(refusal);
+    judged.map(|_| bytes).map_err(|refusal| io::Error::new(io::ErrorKind::InvalidData, refusal))
 }
 
 /// The zone of a stream that ends, in all of its width, at the first solid before it; `None` where no zone is left.

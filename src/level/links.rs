@@ -1,5 +1,4 @@
-//! What is wrong with the links of a level, beyond the form of their rows.
-//! Forces that are too strong for the masses on which they act.
+//! What is wrong with the links of a level, beyond the form of their rows; and forces too strong for the masses on which they act.
 
 use super::problem::{MOST_PROBLEMS, Problem, at_most, meant, quoted};
 use super::types::{LevelLink, SHIP_HALF, ShipStart};
@@ -28,22 +27,15 @@ pub(super) fn check(draft: &Draft) -> Vec<Problem> {
                 problems.push(link.problem(column, quoted("ship"), tr("an object or a place: an experiment has no ship")));
             }
             let LinkRowEnd::Object(name) = end else { continue };
-            match names.iter().filter(|known| *known == name).count() {
+            let expected = match names.iter().filter(|known| *known == name).count() {
                 0 => {
                     let meant = meant(name, names.iter().copied().chain(["ship"]));
-                    problems.push(link.problem(
-                        column,
-                        quoted(name),
-                        tr("ship, the name of an object, or a place x y").to_owned() + &meant,
-                    ));
+                    tr("ship, the name of an object, or a place x y").to_owned() + &meant
                 }
-                1 => {}
-                many => problems.push(link.problem(
-                    column,
-                    quoted(name),
-                    tr!("the name of one object; {count} have that one", count = many),
-                )),
-            }
+                1 => continue,
+                many => tr!("the name of one object; {count} have that one", count = many),
+            };
+            problems.push(link.problem(column, quoted(name), expected));
         }
         let bound = link.item.bind(&draft.objects);
         match &bound {
@@ -74,13 +66,8 @@ pub(super) struct TooMuch {
 
 /// The first of a link; `body` gives masses (kg) and halves (m), and `loads` sums stiffness and damping by body.
 pub(super) fn load(def: &LinkDef, loads: &mut [(f64, f64)], body: impl Fn(BodyId) -> Option<(f64, DVec2)>) -> Option<TooMuch> {
-    let ends: Vec<BodyId> = [def.to, LinkEnd::Body(def.body)]
-        .iter()
-        .filter_map(|end| match end {
-            LinkEnd::Body(body) => Some(*body),
-            LinkEnd::Place(_) => None,
-        })
-        .collect();
+    let other = if let LinkEnd::Body(body) = def.to { Some(body) } else { None };
+    let ends: Vec<BodyId> = other.into_iter().chain([def.body]).collect();
     let nearest: f64 = ends.iter().filter_map(|end| body(*end)).map(|(_, half)| half.element_sum() * 0.5).sum();
     for end in ends {
         let (Some((mass, _)), (stiffness, damping)) = (body(end), &mut loads[end.index()]) else { continue };
@@ -119,12 +106,10 @@ pub(super) fn judge(force: f64, mass: f64) -> Option<String> {
 /// The ship, where its thrust is too strong for it, and every stream that is too strong for the lightest body.
 pub(super) fn check_strength(draft: &Draft) -> Vec<Problem> {
     let mut problems = Vec::new();
-    if let Some(ship) = &draft.player {
-        let (thrust, mass) = (ship.item.thrust, ship.item.mass);
-        if let Some(expected) = judge(thrust, mass) {
-            problems.push(ship.problem("thrust", tr!("{thrust} N on a ship of {mass} kg", thrust, mass), expected));
-        }
-    }
+    problems.extend(draft.player.iter().filter_map(|ship| {
+        let ShipStart { thrust, mass, .. } = ship.item;
+        Some(ship.problem("thrust", tr!("{thrust} N on a ship of {mass} kg", thrust, mass), judge(thrust, mass)?))
+    }));
     let ship = draft.player.iter().map(|ship| ship.map(|ship| ship.mass));
     let masses = ship.chain(draft.objects.iter().map(|object| object.map(|object| object.mass)));
     let Some(lightest) = masses.min_by(|a, b| a.item.total_cmp(&b.item)) else { return problems };

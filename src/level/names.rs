@@ -1,5 +1,4 @@
-//! Names: those of the files in a level's folder, and those of the things that its switches work.
-//! Warnings of unreadable words.
+//! Names: those of the files in a level's folder, and those of the things that its switches work; and warnings of unreadable words.
 
 use super::problem::{MOST_PROBLEMS, Problem, at_most, meant, nearest, quoted};
 use super::{draft::Draft, image::BACKGROUND, schema::FILES, schema::typed::FromRow, wiring::names_in};
@@ -35,12 +34,10 @@ pub(super) fn stray(file: &str, names: &[String]) -> Option<Stray> {
             // `world (1).csv`, `world - Kopie.csv`, `world_old.csv`.
             let more = |known: &str| file.strip_prefix(known.trim_end_matches(".csv"));
             let is_copy = |known: &str| more(known).is_some_and(|more| more.starts_with(|c: char| !c.is_alphanumeric()));
-            let copied = FILES.into_iter().find(|known| is_there(known) && is_copy(known));
-            let expected = copied.map_or_else(
-                || tr!("one of {list}", list = FILES.join(", ")),
-                |known| tr!("{known} alone: it is the file that is read", known),
-            );
-            Some(Stray::Other(problem(expected)))
+            Some(Stray::Other(problem(match FILES.into_iter().find(|known| is_there(known) && is_copy(known)) {
+                Some(known) => tr!("{known} alone: it is the file that is read", known),
+                None => tr!("one of {list}", list = FILES.join(", ")),
+            })))
         }
     }
 }
@@ -66,16 +63,14 @@ pub(super) fn misnamed_flights(names: &[String]) -> Vec<Problem> {
     };
     let slips = names.iter().filter(is_slip).take(MOST_FLIGHTS);
     let problem = |name: &String| {
-        let stem = name.split('.').next().unwrap_or_default();
-        let replay = format!("\"{stem}.replay.csv\"");
+        let replay = format!("\"{}.replay.csv\"", name.split('.').next().unwrap_or_default());
         let expected = tr!("a name such as {name}", name = replay);
         Problem::of_file(&format!("flights/{name}"), tr("a file that is no flight by its name"), expected)
     };
     slips.map(problem).collect()
 }
 
-/// The file of a level that a name misspells: stem and ending are each near enough, whatever the case. The ending alone, which all tables
-/// share, makes no name near.
+/// The file that a name misspells: stem and ending are each near enough, whatever the case; the ending alone, which all tables share, is not.
 fn meant_file(file: &str) -> Option<&'static str> {
     let (stem, ending) = file.rsplit_once('.')?;
     let near = FILES.iter().filter(|known| known.rsplit_once('.').is_some_and(|(_, own)| nearest(ending, [own]).is_some()));
@@ -140,16 +135,13 @@ pub(super) fn warn(draft: &Draft) -> Vec<Problem> {
     let streams = draft.streams.iter().map(|stream| stream.map(|stream| stream.name.clone()));
     let world = draft.world.iter().map(|solid| solid.map(|solid| solid.name.clone()));
     let links = draft.links.iter().map(|link| link.map(|link| link.name.clone()));
-    let named = world.chain(movers).chain(doors).chain(streams).chain(links);
-    named
-        .filter_map(|placed| {
-            let name = names_in(placed.item.as_deref()?).find(|name| !known.contains(name))?;
-            let found = tr!("{name}, which no switch works", name = quoted(name));
-            let meant = meant(name, known.iter().copied().take(MOST_NAMES));
-            Some(placed.problem("name", found, tr("a row of switches.csv that works it").to_owned() + &meant))
-        })
-        .take(MOST_PROBLEMS)
-        .collect()
+    let warning = |placed: FromRow<Option<String>>| {
+        let name = names_in(placed.item.as_deref()?).find(|name| !known.contains(name))?;
+        let found = tr!("{name}, which no switch works", name = quoted(name));
+        let meant = meant(name, known.iter().copied().take(MOST_NAMES));
+        Some(placed.problem("name", found, tr("a row of switches.csv that works it").to_owned() + &meant))
+    };
+    world.chain(movers).chain(doors).chain(streams).chain(links).filter_map(warning).take(MOST_PROBLEMS).collect()
 }
 
 /// The least width of a letter, in heights of it: only words that run out in any case are reported.
@@ -162,13 +154,9 @@ pub(super) fn warn_of_texts(draft: &Draft, size: DVec2) -> Vec<Problem> {
         let words = &text.item.text;
         warnings.extend(lacking(text, words));
         let end = text.item.position + DVec2::new(words.chars().count() as f64 * NARROWEST, 1.0) * text.item.size;
-        let out = text.item.position.cmplt(DVec2::ZERO).any() || end.cmpgt(size + text.item.size * 0.5).any();
-        if out {
-            warnings.push(text.problem(
-                "x",
-                tr!("{words}, which runs out of the level", words = quoted(words)),
-                tr("words that end within it"),
-            ));
+        if text.item.position.cmplt(DVec2::ZERO).any() || end.cmpgt(size + text.item.size * 0.5).any() {
+            let found = tr!("{words}, which runs out of the level", words = quoted(words));
+            warnings.push(text.problem("x", found, tr("words that end within it")));
         }
     }
     warnings.extend(draft.hints.iter().filter_map(|hint| lacking(hint, &hint.item)));

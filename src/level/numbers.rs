@@ -1,5 +1,4 @@
-//! The numbers that a level may hold, and the scale from pixels to metres. Physical ranges come from the engine's domain; `strength` has the
-//! limits of two cells together.
+//! The numbers that a level may hold, and the scale from pixels to metres. Physical ranges come from the engine's domain.
 
 use super::route::SHORTEST;
 use super::types::{SHIP_HEIGHT, SHIP_PIXELS};
@@ -7,8 +6,7 @@ use crate::physics::domain::{self, Range};
 use crate::physics::{Aabb, DVec2, Material};
 use crate::words::tr;
 
-/// The farthest place from the level's top left corner, and the largest size, m. Beyond it f64 resolves positions more coarsely than
-/// 1e-10 m, and contacts lose their exactness.
+/// The farthest place from the top left corner, and the largest size, m: beyond it f64 resolves more coarsely than 1e-10 m, and contacts get inexact.
 const MAX_DISTANCE: f64 = 1e6;
 /// The smallest side, m: well above the tolerances of contacts, also at [`MAX_DISTANCE`].
 pub(super) const MIN_SIZE: f64 = 1e-3;
@@ -74,8 +72,7 @@ impl NumberRange {
 
     /// The number that a cell holds. Errors: the text is no finite number, or it lies outside the range; the number that is expected instead.
     pub fn parse(&self, text: &str) -> Result<f64, String> {
-        let value = number(text)?;
-        self.judge(value).map(|()| value)
+        number(text).and_then(|value| self.judge(value).map(|()| value))
     }
 
     /// The unit as a field shows it beside a number, or the limits where a number of few digits has no unit.
@@ -129,16 +126,13 @@ impl NumberRange {
 
 /// A finite number with a decimal point in every locale; `nan` and `inf`, which Rust accepts, are refused.
 pub(super) fn number(text: &str) -> Result<f64, String> {
-    let plain = |text: &str| {
-        let digits = text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E'));
-        if digits { text.parse::<f64>().ok() } else { None }
-    };
+    let is_plain = |byte: u8| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'e' | b'E');
+    let plain = |text: &str| text.parse::<f64>().ok().filter(|_| text.bytes().all(is_plain));
     match plain(text) {
         Some(value) if value.is_finite() => Ok(value),
-        Some(_) => Err(tr("a finite number").into()),
-        None if text.parse::<f64>().is_ok() => Err(tr("a finite number").into()),
-        None if plain(&text.replacen(',', ".", 1)).is_some() => Err(tr("a number with a decimal point, not a comma").into()),
-        None => Err(tr("a number such as 12.5").into()),
+        _ if text.parse::<f64>().is_ok() => Err(tr("a finite number").into()),
+        _ if plain(&text.replacen(',', ".", 1)).is_some() => Err(tr("a number with a decimal point, not a comma").into()),
+        _ => Err(tr("a number such as 12.5").into()),
     }
 }
 
@@ -185,13 +179,8 @@ impl PixelScale {
     }
 
     /// Pixels to metres.
-    pub fn place(&self, place: DVec2) -> DVec2 {
-        place / self.metre
-    }
-
-    /// Pixels to metres.
     pub fn metres(&self, x: f64, y: f64) -> DVec2 {
-        DVec2::new(x / self.metre, y / self.metre)
+        DVec2::new(x, y) / self.metre
     }
 
     /// The rectangle of a row's x, y, width and height, in metres.

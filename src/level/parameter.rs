@@ -7,34 +7,27 @@ use super::types::{Level, Look, Mover, Object, Solid};
 use crate::physics::{Aabb, BodyId, DVec2, LinkEnd, LinkLaw, Material, Spring};
 use crate::words::{filled, tr};
 
-/// Bodies are counted as in the level's world: 0 is the ship, i + 1 is object i. Links, blocks, streams, liquids and movers are counted
-/// from 0, as in their files.
+/// Of bodies 0 is the ship, i + 1 is object i; links, blocks, streams, liquids and movers count from 0, as in their files. Mass in kg, restitution
+/// 0 … 1, forces in N, gravity in N/kg downwards, air density in kg/m³.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Parameter {
-    /// kg.
     Mass(usize),
     Drag(usize),
-    /// Coefficient, 0 … 1.
     Restitution(usize),
-    /// At the start, m/s to the right.
+    /// At the start, m/s to the right and upwards.
     VelocityX(usize),
-    /// At the start, m/s upwards.
     VelocityY(usize),
-    /// Of the centre at the start, m from the left edge.
+    /// Of the centre at the start, m from the left edge and above the lower edge.
     PlaceX(usize),
-    /// Of the centre at the start, m above the lower edge.
     PlaceY(usize),
     /// Of a plain shape, m; its height goes with it.
     Width(usize),
     Stiffness(usize),
     Damping(usize),
-    /// N; nothing breaks it at the largest number.
+    /// Nothing breaks it at the largest number.
     Breaks(usize),
-    /// N.
     Thrust,
-    /// N/kg, downwards.
     Gravity,
-    /// kg/m³.
     Air,
     /// Factor of all coefficients of friction.
     Friction,
@@ -43,11 +36,10 @@ pub enum Parameter {
     Density(usize),
     Speed(usize),
     Ease(usize),
-    /// Of a mover's upper edge at the start, m above the lower edge of the level.
+    /// Of a mover's upper edge at the start and at its last way point, m above the lower edge of the level.
     From(usize),
-    /// The same at its last way point.
     To(usize),
-    /// N along an air stream.
+    /// Along an air stream.
     Stream(usize),
     /// Factor of the forces of all air streams, 1 in the unvaried level.
     Wind,
@@ -89,10 +81,10 @@ impl Parameter {
     /// The boxes at the start, m, of what is where by numbers that can vary, each with those of its place to the right and upwards:
     /// objects, movers, and movers at their last way point.
     pub fn places(level: &Level) -> Vec<(Aabb, [Option<Self>; 2])> {
-        let objects =
-            level.objects.iter().zip(1..).map(|(object, i)| {
-                (Aabb::around(object.position, object.size * 0.5), [Some(Self::PlaceX(i)), Some(Self::PlaceY(i))])
-            });
+        let of = |(object, i): (&Object, _)| {
+            (Aabb::around(object.position, object.size * 0.5), [Some(Self::PlaceX(i)), Some(Self::PlaceY(i))])
+        };
+        let objects = level.objects.iter().zip(1..).map(of);
         let movers = level.movers.iter().enumerate().flat_map(|(i, mover)| {
             let bounds = mover.solid.bounds;
             let last = mover.stops.get(1..).and_then(|stops| stops.last());
@@ -137,7 +129,6 @@ impl Parameter {
         self.numbered(self.facts().0)
     }
 
-    /// As a screen names it.
     pub fn shown(self) -> String {
         self.numbered(tr(self.facts().0))
     }
@@ -195,8 +186,7 @@ impl Parameter {
     /// Errors: the number that is expected instead, in words.
     pub fn parse(self, text: &str) -> Result<f64, String> {
         if let Self::Material(_) = self {
-            let named =
-                |material: &Material| [material.name, tr(material.name)].iter().any(|name| name.eq_ignore_ascii_case(text.trim()));
+            let named = |of: &Material| [of.name, tr(of.name)].iter().any(|name| name.eq_ignore_ascii_case(text.trim()));
             let names = Material::ALL.map(|material| tr(material.name)).join(", ");
             let place = Material::ALL.iter().position(named).map(|place| place as f64);
             return place.or_else(|| self.facts().1.parse(text).ok()).ok_or_else(|| tr!("one of {list}", list = names));
@@ -260,8 +250,7 @@ impl Parameter {
 
     pub(super) fn put(self, level: &mut Level, value: f64) -> Result<(), String> {
         let (metre, high) = (level.metre, level.size.y);
-        let in_metres = pixels(value, level) / metre;
-        let pixels_down = pixels(high - value, level);
+        let (in_metres, pixels_down) = (pixels(value, level) / metre, pixels(high - value, level));
         let down = pixels_down / metre;
         let (player, objects) = (&mut level.player, &mut level.objects);
         macro_rules! field {
@@ -323,16 +312,14 @@ impl Parameter {
         Ok(())
     }
 
-    /// Its file and its column.
     pub(super) fn place(self, level: &Level) -> (Table, &'static str) {
         let is_key = |body: usize| level.objects.get(body - 1).is_some_and(|object| object.key.is_some());
         let (_, _, table, column) = self.facts();
-        let table = match self.body() {
-            Some(0) => Table::Player,
-            Some(body) if is_key(body) => Table::Objectives,
-            _ => table,
-        };
-        (table, column)
+        match self.body() {
+            Some(0) => (Table::Player, column),
+            Some(body) if is_key(body) => (Table::Objectives, column),
+            _ => (table, column),
+        }
     }
 
     /// The text of its cell in the files of a level.
@@ -351,13 +338,10 @@ impl Parameter {
             Self::Breaks(i) => level.links.get(i)?.def.breaks.map_or_else(String::new, |breaks| breaks.to_string()),
             Self::Material(i) => level.world.get(i)?.material.name.to_owned(),
             Self::From(i) => text(level.movers.get(i)?.solid.bounds.min.y),
-            Self::To(i) => level
-                .movers
-                .get(i)?
-                .corners()
-                .map(|corner| format!("{} {}", text(corner.x), text(corner.y)))
-                .collect::<Vec<_>>()
-                .join("; "),
+            Self::To(i) => {
+                let corners = level.movers.get(i)?.corners().map(|corner| format!("{} {}", text(corner.x), text(corner.y)));
+                corners.collect::<Vec<_>>().join("; ")
+            }
             _ => self.of(level)?.to_string(),
         })
     }

@@ -1,7 +1,5 @@
-//! Where things start: inside the level, in free space, within reach.
-//!
-//! A static tree of boxes that finds the boxes that a box touches. A node parts its boxes at the median of their centres along its longer
-//! side. Nodes lie in the order of a descent, each with the index of the node that follows a miss: a search is one loop without a stack.
+//! Where things start: inside the level, in free space, within reach. And a static tree that finds the boxes that a box touches: a node parts its
+//! boxes at the median of their centres along its longer side; nodes lie in the order of a descent, each with the index that follows a miss.
 
 use super::problem::{MOST_PROBLEMS, Problem, at_most};
 use super::reach::{FreeSpace, OVERLAP, SearchWork};
@@ -29,11 +27,8 @@ pub(super) fn check_zones(draft: &Draft) -> Vec<Problem> {
         if let Some(other) = draft.fluids[..i].iter().find(inside) {
             let (column, deep, side) = depth(&fluid.item.zone, &other.item.zone, draft.scale.metre);
             let found = tr!("a liquid {deep} pixels inside that of line {line}", deep, line = other.line);
-            problems.push(fluid.problem(
-                column,
-                found,
-                tr!("liquids that at most touch, such as {deep} pixels further {side}", deep, side),
-            ));
+            let expected = tr!("liquids that at most touch, such as {deep} pixels further {side}", deep, side);
+            problems.push(fluid.problem(column, found, expected));
         }
     }
     problems
@@ -46,28 +41,21 @@ fn too_many<T>(rows: &[FromRow<T>], kind: &str, most: usize, problems: &mut Vec<
 
 /// The ship and every object that start outside the level or inside something solid: one problem a body.
 pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
-    let mut solids: Vec<Named> = Vec::new();
-    solids.extend(
-        draft
-            .world
-            .iter()
-            .filter(|solid| solid.item.sides == Sides::ALL)
-            .map(|solid| (tr("the solid"), solid.map(|solid| solid.bounds))),
-    );
+    let blocks = draft.world.iter().filter(|solid| solid.item.sides == Sides::ALL);
+    let mut solids: Vec<Named> = blocks.map(|solid| (tr("the solid"), solid.map(|solid| solid.bounds))).collect();
     solids.extend(draft.movers.iter().map(|mover| (tr("the mover"), mover.map(|mover| mover.solid.bounds))));
     // A door that is open at the start closes once it is free.
-    let (switches, off) =
-        (SwitchesByName::new(draft.switches.iter().map(|switch| &switch.item)), vec![false; draft.switches.len()]);
+    let switches = SwitchesByName::new(draft.switches.iter().map(|switch| &switch.item));
     let wire = |door: &Solid| switches.wire(door.name.as_deref()?, Worked::Door(0));
+    let off = vec![false; draft.switches.len()];
     let open = |door: &Solid| wire(door).is_some_and(|wire| wire.is_on(&off));
     solids.extend(draft.doors.iter().filter(|door| !open(&door.item)).map(|door| (tr("the door"), door.map(|door| door.bounds))));
     let plates = draft.switches.iter().filter(|switch| switch.item.weight.is_some());
     solids.extend(plates.map(|plate| (tr("the plate"), plate.map(|plate| plate.bounds))));
     solids.extend(draft.streams.iter().map(|stream| (tr("the source block"), stream.map(|stream| stream.source))));
-    let mut bodies: Vec<Named> = Vec::new();
-    bodies.extend(draft.player.iter().map(|ship| (tr("the ship"), ship.map(|ship| Aabb::around(ship.position, SHIP_HALF)))));
-    bodies
-        .extend(draft.objects.iter().map(|body| (tr("the object"), body.map(|body| Aabb::around(body.position, body.size * 0.5)))));
+    let ship = draft.player.iter().map(|ship| (tr("the ship"), ship.map(|ship| Aabb::around(ship.position, SHIP_HALF))));
+    let objects = draft.objects.iter().map(|row| (tr("the object"), row.map(|body| Aabb::around(body.position, body.size * 0.5))));
+    let bodies: Vec<Named> = ship.chain(objects).collect();
     let mut problems = Vec::new();
     let all: Vec<&Named> = solids.iter().chain(&bodies).collect();
     let tree = BoxTree::of(all.iter().map(|(_, thing)| thing.item));
@@ -91,11 +79,8 @@ pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
             let (column, deep, side) = depth(&body.item, &other.item, draft.scale.metre);
             let found =
                 tr!("{name} {deep} pixels inside {what} of {file}:{line}", name, deep, what, file = other.file, line = other.line);
-            problems.push(body.problem(
-                column,
-                found,
-                tr!("a start in free space, such as {deep} pixels further {side}", deep, side),
-            ));
+            let expected = tr!("a start in free space, such as {deep} pixels further {side}", deep, side);
+            problems.push(body.problem(column, found, expected));
         }
     }
     for mover in &draft.movers {
@@ -129,9 +114,8 @@ fn depth(body: &Aabb, other: &Aabb, metre: f64) -> (&'static str, String, &'stat
 
 /// The problem of a body that reaches out of the level, if it does.
 fn outside(name: &str, body: &FromRow<Aabb>, draft: &Draft) -> Option<Problem> {
-    let size = draft.size?;
-    let metre = draft.scale.metre;
-    let (min, max) = (body.item.min, body.item.max);
+    let (size, metre) = (draft.size?, draft.scale.metre);
+    let Aabb { min, max } = body.item;
     let out = |min: f64, max: f64, size: f64| min < -OVERLAP || max > size / metre + OVERLAP;
     let (column, size, side) = match (out(min.x, max.x, size.x), out(min.y, max.y, size.y)) {
         (true, _) => ("x", size.x, "width"),
@@ -152,12 +136,11 @@ pub(super) fn space(draft: &Draft, size: DVec2, work: Rc<SearchWork>) -> FreeSpa
 /// The node is no leaf.
 const INNER: u32 = u32::MAX;
 
+/// The box of a leaf, and the node that follows where its bounds are missed.
 #[derive(Clone, Copy, Debug)]
 struct TreeNode {
     bounds: Aabb,
-    /// The box of a leaf.
     leaf: u32,
-    /// The node that follows where the box is missed.
     skip: u32,
 }
 

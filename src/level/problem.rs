@@ -1,5 +1,4 @@
-//! A problem of a level: its place, the found and the expected.
-//! The known word that an author probably meant.
+//! A problem of a level: its place, the found and the expected, with the known word that an author probably meant.
 
 use crate::{files::found_instead, words::tr};
 use std::{collections::BTreeMap, fmt};
@@ -20,13 +19,7 @@ pub struct Problem {
 }
 
 impl Problem {
-    pub(super) fn new(
-        file: &str,
-        line: usize,
-        column: impl Into<String>,
-        found: impl Into<String>,
-        expected: impl Into<String>,
-    ) -> Self {
+    pub(super) fn new(file: &str, line: usize, column: &str, found: impl Into<String>, expected: impl Into<String>) -> Self {
         Self { file: file.into(), line, column: column.into(), found: found.into(), expected: expected.into() }
     }
 
@@ -48,7 +41,6 @@ impl fmt::Display for Problem {
 fn place(file: &str, line: usize, column: &str) -> String {
     tr!("{file}:{line}: column {column}", file, line, column = quoted(column))
 }
-
 /// The most problems that are written out of all that differ only in the row.
 const ALIKE: usize = 3;
 

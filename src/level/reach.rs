@@ -1,8 +1,6 @@
-//! Where a box can get among solids: an exact flood fill of the free space.
-//!
-//! The centre of a box moves like a point among the solids grown by the box's half size. Their edges cut the level into a grid that is exact,
-//! whatever the sizes: its cells are the open intervals between two edges and, between them, the edges themselves (a box may slide through a
-//! gap of exactly its size). A doubtful place counts as reached: objects are no obstacles to each other, and none is too heavy to push.
+//! Where a box can get among solids, exactly: its centre moves like a point among the solids grown by its half size. Their edges cut the level into
+//! a grid, whose cells are the open intervals between two edges and the edges themselves (a box may slide through a gap of exactly its size).
+//! A doubtful place counts as reached: objects are no obstacles to each other, and none is too heavy to push.
 
 use crate::physics::{Aabb, DVec2};
 use std::cell::{Cell, RefCell};
@@ -10,9 +8,8 @@ use std::{collections::BTreeMap, ops::RangeInclusive, rc::Rc};
 
 /// How far things may overlap at the start, m: pixels that touch overlap by rounding, which must not close a gap either.
 pub(super) const OVERLAP: f64 = 1e-6;
-/// The largest grid that is searched, cells: 4 million take about 50 ms.
+/// The largest grid that is searched, cells: 4 million take about 50 ms; and the most sizes of boxes.
 const MOST_CELLS: usize = 4_000_000;
-/// The most sizes of boxes that are searched.
 const MOST_SIZES: usize = 16;
 /// The most cells that all searches of a level look at together.
 pub(super) const MOST_WORK: u64 = 20_000_000;
@@ -74,13 +71,12 @@ impl FreeSpace {
     /// The indices of the bodies that neither the ship reaches nor a body that it pushes or that is `moved` otherwise; none where the level is
     /// too large to say.
     pub fn unreached(&self, ship: CentredBox, bodies: &[CentredBox], moved: impl Fn(usize) -> bool) -> Vec<usize> {
-        let Some(parts) = bodies.iter().chain([&ship]).map(|body| self.part(*body)).collect::<Option<Vec<FreePart>>>() else {
-            return Vec::new();
-        };
+        let parts: Option<Vec<FreePart>> = bodies.iter().chain([&ship]).map(|body| self.part(*body)).collect();
+        let Some(parts) = parts else { return Vec::new() };
         let mut waiting: BTreeMap<FreePart, Vec<usize>> = BTreeMap::new();
         (0..bodies.len()).for_each(|body| waiting.entry(parts[body]).or_default().push(body));
-        let mut reached: Vec<FreePart> =
-            (0..parts.len()).filter(|body| *body == bodies.len() || moved(*body)).map(|i| parts[i]).collect();
+        let begins = (0..parts.len()).filter(|body| *body == bodies.len() || moved(*body));
+        let mut reached: Vec<FreePart> = begins.map(|body| parts[body]).collect();
         while let Some(from) = reached.pop() {
             waiting.remove(&from);
             waiting.retain(|part, _| {
@@ -120,7 +116,6 @@ impl FreeSpace {
     }
 }
 
-/// Where the centre of a box of one size can be.
 struct Grid {
     half: DVec2,
     /// Of x and of y, ascending, without repeats. Cell 2i + 1 is edge i, cell 2i the open interval before it.
@@ -194,7 +189,6 @@ impl Grid {
         })
     }
 
-    /// The points of a free cell.
     fn area(&self, cell: usize) -> Aabb {
         let [x, y] = [cell % self.columns(), cell / self.columns()];
         let at = |x: usize, y: usize| DVec2::new(self.edges[0][x / 2], self.edges[1][y / 2]);

@@ -82,11 +82,10 @@ pub fn judge(levels: &Path, name: &str) -> Result<(), String> {
     match taken(levels, name) {
         None => Ok(()),
         Some(other) if other == name => Err(tr!("{name}: there is one of that name already", name = quoted(name))),
-        Some(other) => Err(tr!(
-            "{name}: {other} is there already, the same folder on some systems",
-            name = quoted(name),
-            other = quoted(&other)
-        )),
+        Some(other) => {
+            let (name, other) = (quoted(name), quoted(&other));
+            Err(tr!("{name}: {other} is there already, the same folder on some systems", name, other))
+        }
     }
 }
 

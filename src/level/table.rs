@@ -6,7 +6,7 @@ use super::{numbers::PixelScale, schema::settings::SETTING, schema::typed::RowCe
 use crate::files::{Cell, CellFault, CsvRows, Dialect, SpannedRow, csv_rows, separators};
 use crate::words::tr;
 
-/// The most cells of a header. A file has less than a tenth of it as columns, and a message about a row names every cell of the header.
+/// The most cells of a header: a tenth are more than a file's columns, and a message about a row names every cell of the header.
 const MOST_COLUMNS: usize = 200;
 
 /// The kinds of a file's rows; of several kinds the first cell names one.
@@ -40,14 +40,14 @@ pub(super) fn read(kinds: RowKinds, bytes: &[u8], problems: &mut Vec<Problem>) -
     let reader = rows(kinds, bytes);
     let dialect = reader.dialect;
     let rows: Vec<SpannedRow> = reader.collect();
+    let (mut table, any) = (TableRows { dialect: Some(dialect), ..TableRows::default() }, kinds[0]);
     let plan = match plan(kinds, &rows, problems) {
         Ok(plan) => plan,
         Err(headers) => {
-            let lines = rows.iter().skip(headers).map(|row| row.line).collect();
-            return TableRows { lines, dialect: Some(dialect), ..TableRows::default() };
+            table.lines = rows.iter().skip(headers).map(|row| row.line).collect();
+            return table;
         }
     };
-    let (mut table, any) = (TableRows { dialect: Some(dialect), ..TableRows::default() }, kinds[0]);
     let enough = problems.len() + MOST_PROBLEMS;
     for row in rows.iter().skip(plan.headers) {
         table.lines.push(row.line);
@@ -94,8 +94,8 @@ fn moved(kinds: RowKinds, header: &SpannedRow) -> Option<&'static RowSchema> {
     let is = |schema: &RowSchema, i: usize, cell: &Cell| {
         schema.columns.get(i).is_some_and(|column| column.name.eq_ignore_ascii_case(cell.text.trim()))
     };
-    let strays = header.cells.iter().enumerate().filter(|(i, cell)| !kinds.iter().any(|schema| is(schema, *i, cell)));
-    strays.map(|(_, cell)| cell).find_map(|cell| kinds.iter().find(|schema| schema.find(&cell.text).is_some())).copied()
+    let mut strays = header.cells.iter().enumerate().filter(|(i, cell)| !kinds.iter().any(|schema| is(schema, *i, cell)));
+    strays.find_map(|(_, cell)| kinds.iter().find(|schema| schema.find(&cell.text).is_some())).copied()
 }
 
 pub(super) fn all_columns(schema: &'static RowSchema) -> HeaderColumns {
@@ -114,9 +114,9 @@ pub(super) fn plan(kinds: RowKinds, rows: &[SpannedRow], problems: &mut Vec<Prob
     let plain = Ok(HeaderPlan { columns: all_columns(schema), headers: 0 });
     let Some(first) = rows.first() else { return plain };
     let used = first.cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1);
+    let names = first.cells.iter().map(|cell| cell.text.trim()).filter(|name| !name.is_empty());
     let found = if is_foreign_header(schema, first) {
-        let names: Vec<&str> = first.cells.iter().map(|cell| cell.text.trim()).filter(|name| !name.is_empty()).collect();
-        tr!("a header of unknown names, {header}", header = quoted(&names.join(",")))
+        tr!("a header of unknown names, {header}", header = quoted(&names.collect::<Vec<_>>().join(",")))
     } else if !is_header(schema, first) {
         return plain;
     } else if used > MOST_COLUMNS {
@@ -186,8 +186,7 @@ fn suits(kinds: RowKinds, dialect: Dialect, rows: &[SpannedRow]) -> i64 {
             None => HeaderColumns::new(),
         };
         let cells = row.cells.iter().enumerate().filter(|(_, cell)| !cell.is_empty());
-        let good = cells.map(|(i, cell)| is_good(columns.get(i).copied().flatten(), dialect, row, cell));
-        good.collect::<Vec<bool>>()
+        cells.map(move |(i, cell)| is_good(columns.get(i).copied().flatten(), dialect, row, cell))
     });
     named.chain(good).map(|good| if good { 1 } else { -1 }).sum()
 }
@@ -213,12 +212,9 @@ fn wrong_separator(schema: &RowSchema, dialect: Dialect, row: &SpannedRow) -> Op
     if row.cells.len() >= required {
         return None;
     }
-    let count = |separator: u8| {
-        row.cells.iter().map(|cell| cell.text.bytes().filter(|byte| *byte == separator).count()).sum::<usize>() + row.cells.len()
-            - 1
-    };
+    let signs = |sign: u8| row.cells.iter().flat_map(|cell| cell.text.bytes()).filter(|byte| *byte == sign).count();
     let others = Dialect::DELIMITERS.into_iter().filter(|delimiter| *delimiter != dialect.delimiter);
-    let separator = others.chain([b'|', b':']).find(|separator| count(*separator) + 1 >= required)?;
+    let separator = others.chain([b'|', b':']).find(|separator| signs(*separator) + row.cells.len() >= required)?;
     let sign = char::from(separator).to_string();
     let found = tr!("cells separated by {separator}", separator = separators(separator).unwrap_or(&sign));
     let expected = match separators(separator) {
@@ -243,10 +239,8 @@ fn record(
     let file = schema.file.name;
     if let Some(extra) = row.cells.iter().skip(columns.len()).rposition(|cell| !cell.is_empty()) {
         let (first, found) = (&row.cells[columns.len()], cell_count(columns.len() + extra + 1));
-        let name = (columns.len() + 1).to_string();
-        let expected =
-            cells_wanted(columns) + tr(" (a cell that holds a comma stands in quotes, decimals are written with a point)");
-        problems.push(Problem::new(file, first.line, name, found, expected));
+        let more = tr(" (a cell that holds a comma stands in quotes, decimals are written with a point)");
+        problems.push(Problem::new(file, first.line, &(columns.len() + 1).to_string(), found, cells_wanted(columns) + more));
     }
     if let Some(column) = columns.iter().skip(row.cells.len()).flatten().find(|column| column.required) {
         let expected = cells_wanted(columns) + &meant_row(schema, row);
@@ -293,7 +287,7 @@ fn report_faults(schema: &RowSchema, columns: &[Option<&Column>], row: &SpannedR
         };
         let Some(fault) = cell.fault else { continue };
         let (found, expected) = fault.words();
-        problems.push(Problem::new(schema.file.name, cell.line, name, found, expected));
+        problems.push(Problem::new(schema.file.name, cell.line, &name, found, expected));
     }
 }
 

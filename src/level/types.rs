@@ -14,6 +14,7 @@ pub const TICK_RATE: f64 = 120.0;
 /// Fuel units a second while the engine burns: the usual 500 units last 25 s.
 pub const BURN_RATE: f64 = 20.0;
 
+/// Lengths in m, `gravity` in N/kg downwards and `gravity_x` to the right, air density in kg/m³, the optimal time in s, the rest speed in m/s.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
     /// The folder's name.
@@ -22,17 +23,11 @@ pub struct Level {
     pub title: String,
     /// Pixels a metre of the author's picture.
     pub metre: f64,
-    /// Width and height, m.
     pub size: DVec2,
-    /// N/kg, downwards.
     pub gravity: f64,
-    /// N/kg, to the right.
     pub gravity_x: f64,
-    /// kg/m³.
     pub air_density: f64,
-    /// s.
     pub optimal_time: f64,
-    /// m/s.
     pub rest_speed: f64,
     /// Factor of all coefficients of friction.
     pub friction: f64,
@@ -92,24 +87,18 @@ impl Landscape {
     }
 }
 
+/// Centre in m, velocity in m/s, angle in degrees clockwise (0 is nose up), mass in kg, thrust in N; drag and restitution are coefficients.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShipStart {
-    /// Centre, m.
     pub position: DVec2,
-    /// m/s.
     pub velocity: DVec2,
-    /// Degrees clockwise, 0 is nose up.
     pub angle: f64,
-    /// kg.
     pub mass: f64,
     pub fuel: f64,
-    /// N.
     pub thrust: f64,
     pub feels_air: bool,
     pub material: Material,
-    /// Drag coefficient.
     pub drag: f64,
-    /// Coefficient of restitution.
     pub restitution: f64,
 }
 
@@ -133,18 +122,16 @@ impl ShipStart {
     }
 }
 
+/// Bounds at the start, and the sides from which it is solid. Its name is for switches; several things may share it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// At the start.
     pub bounds: Aabb,
     pub material: Material,
-    /// The sides from which it is solid.
     pub sides: Sides,
     /// The speed of its skin, m/s, clockwise: the top runs to the right.
     pub belt: f64,
     /// The impulse, N·s, beyond which a hit breaks it.
     pub breaks: Option<f64>,
-    /// Its name for switches; several things may share it.
     pub name: Option<String>,
 }
 
@@ -177,20 +164,18 @@ pub enum Presser {
     Object,
 }
 
+/// On while it is pressed, for ever once it has been pressed, or until it is pressed again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SwitchStay {
     Held,
-    /// For ever, once it has been pressed.
     Latched,
-    /// Until it is pressed again.
     Toggled,
 }
 
-/// The things of one name, as a switch works them.
+/// The things of one name, as a switch works them; inverted ones are on while it is off, and off while it is on.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Work {
     pub name: String,
-    /// They are on while the switch is off, and off while it is on.
     pub inverted: bool,
 }
 
@@ -218,28 +203,22 @@ impl Level {
     }
 }
 
+/// A picture, or a plain shape that the game draws.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Look {
     Image(std::path::PathBuf),
-    /// A plain box drawn by the game.
     Box,
-    /// A plain ball drawn by the game.
     Ball,
 }
 
+/// Centre and size in m, velocity in m/s, mass in kg; drag and restitution are coefficients. Its name is for links.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Object {
-    /// Centre, m.
     pub position: DVec2,
-    /// m/s.
     pub velocity: DVec2,
-    /// Width and height, m.
     pub size: DVec2,
-    /// kg.
     pub mass: f64,
-    /// Drag coefficient.
     pub drag: f64,
-    /// Coefficient of restitution.
     pub restitution: f64,
     /// It is drawn round, and air and liquids act on it as on a ball; its box collides.
     pub circular: bool,
@@ -248,7 +227,6 @@ pub struct Object {
     /// A key object's colour; `None` for an ordinary object.
     pub key: Option<[u8; 3]>,
     pub weightless: bool,
-    /// Its name for links.
     pub name: Option<String>,
 }
 
@@ -281,40 +259,35 @@ impl Objective {
     }
 }
 
+/// It blows from a solid block, with a force in N.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AirStream {
-    /// The solid source block.
     pub source: Aabb,
     pub zone: Aabb,
-    /// N.
     pub force: DVec2,
     pub name: Option<String>,
 }
 
+/// Density in kg/m³, viscosity in Pa·s; the colour is red, green, blue.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fluid {
     pub zone: Aabb,
-    /// kg/m³.
     pub density: f64,
-    /// Pa·s.
     pub viscosity: f64,
-    /// Red, green, blue.
     pub colour: [u8; 3],
 }
 
-/// A zone whose gravity adds to the gravity of the level.
+/// A zone whose gravity, N/kg, adds to the gravity of the level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GravityZone {
     pub zone: Aabb,
-    /// N/kg.
     pub strength: DVec2,
 }
 
-/// A spring, rope or magnet.
+/// A spring, rope or magnet; its name is for switches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LevelLink {
     pub def: LinkDef,
-    /// Its name for switches.
     pub name: Option<String>,
 }
 
@@ -324,48 +297,39 @@ pub struct Pod {
     pub fuel: f64,
 }
 
-/// A picture that nothing touches.
+/// A picture that nothing touches; one in front covers moving bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decoration {
     pub bounds: Aabb,
     pub look: Look,
-    /// Whether it covers moving bodies.
     pub in_front: bool,
 }
 
+/// Its top left corner and the height of its letters in m; red, green and blue, or the usual colour of words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
-    /// Top left corner, m.
     pub position: DVec2,
-    /// Height of the letters, m.
     pub size: f64,
     pub text: String,
-    /// Red, green, blue; `None`: the usual colour of words.
     pub colour: Option<[u8; 3]>,
 }
 
-/// The demands of a level's medals; a level that names none has bronze alone.
+/// What a level's medals demand: the longest times, s, gold's at most silver's, and a mark. A level that names none has bronze alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Awards {
-    /// The longest time for silver, s.
     pub silver: Option<f64>,
-    /// The longest time for gold, s, at most the time for silver.
     pub gold: Option<f64>,
     pub mark: Option<Mark>,
 }
 
-/// The demand of a level's own mark on a flight that completes it.
+/// A mark's demand on a flight that completes its level: the most damaging hits, pushes of objects or burns, the least fuel left (%), the highest
+/// speed (m/s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
-    /// The most damaging hits.
     Hits(u32),
-    /// The least fuel left, %.
     Fuel(f64),
-    /// The most pushes of objects by the ship.
     Pushes(u32),
-    /// The highest speed, m/s.
     Speed(f64),
-    /// The most burns.
     Burns(u32),
     /// A number of objectives, met within that time, s.
     Together(u32, f64),
@@ -380,13 +344,11 @@ pub struct Star {
     pub by: StarTouch,
 }
 
-/// What touches a star.
+/// What touches a star; any object may be a key object, too.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StarTouch {
     #[default]
     Ship,
-    /// A key object.
     Key,
-    /// Any object, key objects too.
     Object,
 }

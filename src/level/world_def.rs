@@ -1,7 +1,6 @@
-//! A level as the engine sees it.
-//! The ship's body as it is drawn, which red destroys; solids, pads, keys and zones act on the box around it.
+//! A level as the engine sees it; and the ship's body as it is drawn, which red destroys: solids, pads, keys and zones act on the box around it.
 
-use super::types::{Level, SHIP_HALF, Solid};
+use super::types::{Fluid, Level, SHIP_HALF, Solid};
 use super::wiring::Worked;
 use crate::physics::{Aabb, BodyDef, DVec2, FieldDef, FluidDef, Material, StreamDef, SurfaceDef, WorldDef};
 use std::collections::BTreeMap;
@@ -59,7 +58,7 @@ impl Level {
             fluids: self
                 .fluids
                 .iter()
-                .map(|fluid| FluidDef { zone: fluid.zone, density: fluid.density, viscosity: fluid.viscosity })
+                .map(|&Fluid { zone, density, viscosity, .. }| FluidDef { zone, density, viscosity })
                 .collect(),
             bodies: std::iter::once(ship).chain(objects).collect(),
             links: self.links.iter().map(|link| link.def).collect(),
@@ -67,12 +66,8 @@ impl Level {
     }
 
     fn rubbing(&self, material: Material) -> Material {
-        let Material { static_friction, kinetic_friction, .. } = material;
-        Material {
-            static_friction: self.friction * static_friction,
-            kinetic_friction: self.friction * kinetic_friction,
-            ..material
-        }
+        let of = |coefficient: f64| self.friction * coefficient;
+        Material { static_friction: of(material.static_friction), kinetic_friction: of(material.kinetic_friction), ..material }
     }
 
     /// In the order of [`Level::surface`].
@@ -80,24 +75,20 @@ impl Level {
         let off: Vec<bool> = vec![false; self.switches.len()];
         let wires: BTreeMap<Worked, bool> = self.wires().into_iter().map(|wire| (wire.worked, wire.is_on(&off))).collect();
         let starts_on = |worked| wires.get(&worked).copied();
-        let block = |solid: &Solid| SurfaceDef {
-            sides: solid.sides,
-            belt: solid.belt,
-            ..SurfaceDef::fixed(solid.bounds, self.rubbing(solid.material))
+        let block = |&Solid { sides, belt, bounds, material, .. }: &Solid| SurfaceDef {
+            sides,
+            belt,
+            ..SurfaceDef::fixed(bounds, self.rubbing(material))
         };
-        let world = self.world.iter().enumerate().map(|(i, solid)| {
-            let runs = starts_on(Worked::Belt(i)).unwrap_or(true);
-            SurfaceDef { belt: if runs { solid.belt } else { 0.0 }, ..block(solid) }
-        });
+        let belt = |i, solid: &Solid| if starts_on(Worked::Belt(i)).unwrap_or(true) { solid.belt } else { 0.0 };
+        let world = self.world.iter().enumerate().map(|(i, solid)| SurfaceDef { belt: belt(i, solid), ..block(solid) });
         let sources = self.streams.iter().map(|stream| SurfaceDef::fixed(stream.source, self.rubbing(Material::STEEL)));
         let movers = self.movers.iter().enumerate().map(|(i, mover)| {
             let runs = starts_on(Worked::Mover(i)).unwrap_or(true);
             SurfaceDef { path: mover.path.clone(), runs, ..block(&mover.solid) }
         });
-        let doors = self.doors.iter().enumerate().map(|(i, door)| {
-            let open = starts_on(Worked::Door(i)).unwrap_or(false);
-            SurfaceDef { present: !open, ..block(door) }
-        });
+        let open = |i| starts_on(Worked::Door(i)).unwrap_or(false);
+        let doors = self.doors.iter().enumerate().map(|(i, door)| SurfaceDef { present: !open(i), ..block(door) });
         let plates = self.plates().map(|switch| SurfaceDef::fixed(self.switches[switch].bounds, self.rubbing(Material::STEEL)));
         world.chain(sources).chain(movers).chain(doors).chain(plates).collect()
     }
@@ -159,8 +150,7 @@ pub fn sweep_touches(corners: &[DVec2], from: DVec2, to: DVec2, target: &Aabb, s
     [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y].into_iter().chain(sides).all(meets)
 }
 
-/// The unit vector that points `angle` degrees clockwise from straight up. Whole quarter turns are taken out before the sine and
-/// the cosine, so that right angles are exact and many turns cost no digits.
+/// The unit vector `angle` degrees clockwise from straight up. Quarter turns are taken out first: right angles are exact, many turns cost no digits.
 pub fn nose(angle: f64) -> DVec2 {
     let quarters = (angle / 90.0).round();
     let (sin, cos) = libm::sincos((angle - quarters * 90.0).to_radians());

@@ -30,9 +30,8 @@ pub fn write(package: &Package) -> Result<Vec<u8>, String> {
     Ok(archive.finish().map_err(|error| refused(&error))?.into_inner())
 }
 
-/// The package in an archive, which need not be a level. `called` is the name of a level whose files lie in no folder.
-/// Errors: a damaged archive; too many bytes, entries or too much memory; a path that leads elsewhere; two paths that are one on
-/// some system; links, devices and files of no level; files of several levels.
+/// The package in an archive, which need not be a level; `called` names one whose files lie in no folder. Errors: a damaged archive; too many bytes,
+/// entries or too much memory; paths that lead elsewhere, or are one on some system; links, devices, files of no level; files of several levels.
 pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
     let mut archive = open(bytes)?;
     let cost = cost(&mut archive, bytes.len() as u64)?;
@@ -51,13 +50,8 @@ pub fn read(bytes: &[u8], called: &str) -> Result<Package, String> {
 /// The files below a folder of an archive, by their paths from there; `limit` is the most bytes of a path, `None` for one that does not belong.
 /// Errors: as [`read`], without the rules of a level; a file outside of the folder.
 #[cfg(any(browser, test))]
-pub(super) fn read_below(
-    bytes: &[u8],
-    folder: &str,
-    limit: impl Fn(&str) -> Option<u64>,
-) -> Result<BTreeMap<String, Vec<u8>>, String> {
-    let mut archive = open(bytes)?;
-    let mut found = PackEntries::default();
+pub(super) fn read_below(bytes: &[u8], folder: &str, limit: impl Fn(&str) -> Option<u64>) -> Result<PackedBytes, String> {
+    let (mut archive, mut found) = (open(bytes)?, PackEntries::default());
     let most = |parts: &[String]| limit(&parts.strip_prefix(&[folder.to_owned()])?.join("/"));
     for index in 0..archive.len() {
         found.entry(&mut archive, index, &most)?;
@@ -65,13 +59,14 @@ pub(super) fn read_below(
     Ok(found.files.into_iter().map(|(parts, bytes)| (parts[1..].join("/"), bytes)).collect())
 }
 
-fn open(bytes: &[u8]) -> Result<ZipArchive<Cursor<&[u8]>>, String> {
+#[cfg(any(browser, test))]
+type PackedBytes = BTreeMap<String, Vec<u8>>;
+type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
+
+fn open(bytes: &[u8]) -> Result<Archive<'_>, String> {
     if bytes.len() as u64 > LARGEST {
-        return Err(tr!(
-            "found {found}, expected at most {most} bytes",
-            found = tr!("{count} bytes", count = bytes.len()),
-            most = LARGEST
-        ));
+        let found = tr!("{count} bytes", count = bytes.len());
+        return Err(tr!("found {found}, expected at most {most} bytes", found, most = LARGEST));
     }
     let count = entries(bytes).ok_or(tr("found no ZIP archive, expected one as `resultant pack` makes it"))?;
     if count > MOST_FILES {
@@ -86,7 +81,7 @@ fn open(bytes: &[u8]) -> Result<ZipArchive<Cursor<&[u8]>>, String> {
 }
 
 /// The memory of a level, by the sizes in its archive. Of each picture only the head is unpacked.
-fn cost(archive: &mut ZipArchive<Cursor<&[u8]>>, packed: u64) -> Result<u64, String> {
+fn cost(archive: &mut Archive, packed: u64) -> Result<u64, String> {
     let mut cost = Cost::of_archive(packed);
     for index in 0..archive.len() {
         let entry = archive.by_index(index).map_err(|error| tr!("found an entry that cannot be read: {error}", error))?;
@@ -122,12 +117,7 @@ struct PackEntries {
 
 impl PackEntries {
     /// `most` is the most bytes of a path; `None` for one that does not belong.
-    fn entry(
-        &mut self,
-        archive: &mut ZipArchive<Cursor<&[u8]>>,
-        index: usize,
-        most: &dyn Fn(&[String]) -> Option<u64>,
-    ) -> Result<(), String> {
+    fn entry(&mut self, archive: &mut Archive, index: usize, most: &dyn Fn(&[String]) -> Option<u64>) -> Result<(), String> {
         let mut entry = archive.by_index(index).map_err(|error| tr!("found an entry that cannot be read: {error}", error))?;
         let Some(parts) = path::parts(entry.name_raw())? else { return Ok(()) };
         let shown = format!("{:?}", parts.join("/"));
@@ -148,11 +138,8 @@ impl PackEntries {
         // The archive's own size was judged: an entry that unpacks to more is refused.
         let most = most.min(entry.size());
         let mut bytes = Vec::new();
-        entry
-            .by_ref()
-            .take(most + 1)
-            .read_to_end(&mut bytes)
-            .map_err(|error| tr!("{place}: found a damaged file: {error}", place = shown, error))?;
+        let read = entry.by_ref().take(most + 1).read_to_end(&mut bytes);
+        read.map_err(|error| tr!("{place}: found a damaged file: {error}", place = shown, error))?;
         if bytes.len() as u64 > most {
             return Err(tr!("{place}: found more than {most} bytes, expected no more", place = shown, most));
         }
@@ -180,24 +167,17 @@ impl PackEntries {
 
     /// The level's folder is the folder of its heart.
     fn package(self, called: &str) -> Result<Package, String> {
-        let named =
-            |heart: &str| self.files.keys().filter(|parts| parts.last().is_some_and(|name| name == heart)).collect::<Vec<_>>();
+        let is = |parts: &&Vec<String>, heart: &str| parts.last().is_some_and(|name| name == heart);
+        let named = |heart: &str| self.files.keys().filter(|parts| is(parts, heart)).collect::<Vec<_>>();
+        let quoted = |parts: &[String]| format!("{:?}", parts.join("/"));
         let hearts = HEARTS.map(named).into_iter().find(|found| !found.is_empty()).unwrap_or_default();
         let folder = match hearts.as_slice() {
             [] => return Err(tr!("found no {file}, expected a level's folder", file = HEARTS[0])),
             [heart] if heart.len() <= 2 => heart[..heart.len() - 1].to_vec(),
-            [heart] => {
-                return Err(tr!(
-                    "found the level in {path}, expected its folder at the top",
-                    path = format_args!("{:?}", heart.join("/"))
-                ));
-            }
+            [heart] => return Err(tr!("found the level in {path}, expected its folder at the top", path = quoted(heart))),
             [first, second, ..] => {
-                return Err(tr!(
-                    "found {first} and {second}, expected one level",
-                    first = format_args!("{:?}", first.join("/")),
-                    second = format_args!("{:?}", second.join("/"))
-                ));
+                let (first, second) = (quoted(first), quoted(second));
+                return Err(tr!("found {first} and {second}, expected one level", first, second));
             }
         };
         let name = folder.first().map_or(called, String::as_str).to_owned();
@@ -205,22 +185,13 @@ impl PackEntries {
         let mut files = BTreeMap::new();
         for (parts, bytes) in self.files {
             let Some(own) = parts.strip_prefix(folder.as_slice()) else {
-                return Err(tr!(
-                    "{place}: found a file beside the level's folder, expected all in it",
-                    place = format_args!("{:?}", parts.join("/"))
-                ));
+                return Err(tr!("{place}: found a file beside the level's folder, expected all in it", place = quoted(&parts)));
             };
             let own = own.join("/");
             let most = limit(&own).ok_or_else(|| no_file_of_a_level(&format!("{own:?}")))?;
             if bytes.len() as u64 > most {
-                return Err(format!(
-                    "{own:?}: {}",
-                    tr!(
-                        "found {found}, expected at most {most} bytes",
-                        found = tr!("{count} bytes", count = bytes.len()),
-                        most = most
-                    )
-                ));
+                let found = tr!("{count} bytes", count = bytes.len());
+                return Err(format!("{own:?}: {}", tr!("found {found}, expected at most {most} bytes", found, most)));
             }
             files.insert(own, bytes);
         }

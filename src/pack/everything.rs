@@ -59,14 +59,12 @@ pub fn import<K: Keeper>(kept: &PageFiles<K>, bytes: &[u8]) -> Result<String, St
     Ok(match (new, other) {
         (0, 0) => tr("Everything of this file was there already").to_owned(),
         (new, 0) => tr!("Imported {count} files", count = new),
-        (new, other) => {
-            tr!(
-                "Imported {count} files; {other} took the place of others, which the next export has in {folder}/",
-                count = new + other,
-                other,
-                folder = BEFORE
-            )
-        }
+        (new, other) => tr!(
+            "Imported {count} files; {other} took the place of others, which the next export has in {folder}/",
+            count = new + other,
+            other,
+            folder = BEFORE
+        ),
     })
 }
 

@@ -41,14 +41,8 @@ pub fn install_file(archive: &Path, levels: &Path, project: &Path) -> Result<Ins
 pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool) -> Result<Installed, Vec<String>> {
     path::judge_folder(&package.name).map_err(|problem| vec![problem])?;
     check(package, project)?;
-    let refused = |error: &io::Error| {
-        vec![tr!(
-            "{path}: cannot install {name}: {error}",
-            path = levels.display(),
-            name = format_args!("{:?}", package.name),
-            error
-        )]
-    };
+    let (path, own) = (levels.display(), format!("{:?}", package.name));
+    let refused = |error: &io::Error| vec![tr!("{path}: cannot install {name}: {error}", path, name = own, error)];
     let mut problems = Vec::new();
     for number in 1..=MOST_NAMES {
         let name = if number > 1 { format!("{}-{number}", package.name) } else { package.name.clone() };
@@ -64,20 +58,16 @@ pub fn install(package: &Package, levels: &Path, project: &Path, free_name: bool
                 Err(_) => folder,
             },
         };
-        let differs = match compare(package, &folder) {
+        match compare(package, &folder) {
             Ok(more) => return Ok(Installed::Already(folder, more)),
-            Err(differs) => differs,
-        };
-        if !free_name {
-            let found = tr!("{path}: there is another level of that name: {differs}", path = folder.display(), differs);
-            return Err(vec![format!("{found}; {}", tr("nothing was written, --as NAME gives this one another name"))]);
+            Err(_) if free_name => {}
+            Err(differs) => {
+                let found = tr!("{path}: there is another level of that name: {differs}", path = folder.display(), differs);
+                return Err(vec![format!("{found}; {}", tr("nothing was written, --as NAME gives this one another name"))]);
+            }
         }
     }
-    Err(vec![tr!(
-        "{path}: there are too many levels named {name}",
-        path = levels.display(),
-        name = format_args!("{:?}", package.name)
-    )])
+    Err(vec![tr!("{path}: there are too many levels named {name}", path, name = own)])
 }
 
 /// Writes the files, and loads the level from them: a folder there may have the name of a table or a picture.

@@ -1,6 +1,5 @@
-//! A level as one file to hand on: a `.zip` with its folder, pictures and flights. [`gather`] and [`write()`] make one. [`read()`]
-//! takes one from a stranger: its paths stay in the folder on every system, its files are of a level's kinds and small enough.
-//! [`install`] writes it whole or not at all, over nothing.
+//! A level as one file to hand on, a `.zip`: [`gather`] and [`write()`] make one. [`read()`] takes one from a stranger: its paths stay in the folder
+//! on every system, its files are of a level's kinds and small enough. [`install`] writes it whole or not at all, over nothing.
 
 mod archive;
 #[cfg(any(browser, test))]

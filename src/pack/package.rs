@@ -1,6 +1,5 @@
-//! A level's files in memory.
-//! The flights in a level's folder are flown again in the level as it is.
-//! The memory of a packed level, before it is unpacked: by the sizes in the archive, to which reading holds it, and by its pictures' heads.
+//! A level's files in memory; the flights in its folder, flown again in the level as it is; and the memory of a packed level before it is unpacked,
+//! by the sizes in the archive, to which reading holds it, and by its pictures' heads.
 
 use super::path;
 use crate::files::{self, Symlinks, read_text};
@@ -8,14 +7,13 @@ use crate::game::{Game, Goal, LevelHash, Medal, Prize, Replay, RunResult, goals,
 use crate::level::document::{Document, LevelFolder, Opened};
 use crate::level::{self, FILES, Files, Level, Loaded, Problem};
 use crate::{number::hundredths, words::tr};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use std::{collections::BTreeMap, fmt::Display, io, sync::Arc};
+use std::{fmt::Display, io, sync::Arc};
 
-/// The largest archive, bytes.
+/// Bytes of the largest archive, of all files unpacked, and of memory from the archive to the screen.
 pub const LARGEST: u64 = 64 << 20;
-/// All files together, unpacked, bytes.
 pub const UNPACKED: u64 = 64 << 20;
-/// From the archive to the screen, bytes.
 pub const MEMORY: u64 = 256 << 20;
 pub const MOST_FILES: usize = 1000;
 /// The folder of a level's flights, and the end of their files' names.
@@ -43,8 +41,8 @@ pub(super) fn limit(path: &str) -> Option<u64> {
 /// The files of a level that can be handed on: tables, pictures wherever they lie, flights and notes; and the names of the other files in its folder.
 /// Errors: a level's name that no package can have; the level's problems; a file that cannot be read, or is a link; the errors of [`check`].
 pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), Vec<String>> {
-    let name = files::resolve(folder).ok().as_deref().unwrap_or(folder).file_name().map(|name| name.to_string_lossy().into_owned());
-    let name = name.unwrap_or_default();
+    let resolved = files::resolve(folder).unwrap_or_else(|_| folder.to_owned());
+    let name = resolved.file_name().unwrap_or_default().to_string_lossy().into_owned();
     path::judge_folder(&name).map_err(|problem| vec![problem])?;
     let level = level::load(folder, project).map_err(|problems| level::listed(&problems))?.level;
     let (mut package, mut left) = (Package { name, files: BTreeMap::new() }, Vec::new());
@@ -84,10 +82,8 @@ pub fn gather(folder: &Path, project: &Path) -> Result<(Package, Vec<String>), V
 
 pub(super) fn listed(folder: &Path) -> Result<Vec<String>, Vec<String>> {
     let entries = files::names(folder).map_err(|error| vec![format!("{}: {error}", folder.display())])?;
-    let mut names: Vec<String> = entries.into_iter().filter_map(|name| name.into_string().ok()).collect();
-    names.retain(|name| !name.starts_with('.'));
-    names.sort_unstable();
-    Ok(names)
+    let names = entries.into_iter().filter_map(|name| name.into_string().ok()).filter(|name| !name.starts_with('.'));
+    Ok(names.collect::<BTreeSet<String>>().into_iter().collect())
 }
 
 /// Whether a package is a level that loads, with readable flights. Pictures outside the package come from the project.
@@ -101,10 +97,7 @@ pub fn check(package: &Package, project: &Path) -> Result<Loaded, Vec<String>> {
             Err(_) => problems.push(format!("{path}: {}", tr("found letters that are not UTF-8, expected a file saved as UTF-8"))),
         }
     }
-    match loaded {
-        Ok(loaded) if problems.is_empty() => Ok(loaded),
-        _ => Err(problems),
-    }
+    loaded.ok().filter(|_| problems.is_empty()).ok_or(problems)
 }
 
 /// The level of a package. Pictures outside the package come from the project.
@@ -148,20 +141,11 @@ pub const PROVE: [(&str, Prize); 4] = [
     ("mark", Prize::Mark),
 ];
 
-/// What the flights of a level prove by their names, in words.
-///
-/// Errors, which forbid nothing: the flights that end elsewhere than they say, or do not earn the medal of their name; where all hold, the
-/// medals that none of them earns.
+/// What the flights of a level prove by their names, in words. Errors, which forbid nothing: the flights that end elsewhere than they say, or do not
+/// earn the medal of their name; where all hold, the medals that none of them earns.
 pub fn proven(folder: &Path, level: &Arc<Level>) -> (Vec<String>, Vec<Problem>) {
     let names = listed(&folder.join(FLIGHTS)).unwrap_or_default();
     let mut left = MOST_TICKS;
-    let problem = |name: &str, (found, expected): (String, &str)| Problem {
-        file: format!("{FLIGHTS}{name}"),
-        line: 0,
-        column: String::new(),
-        found,
-        expected: expected.to_owned(),
-    };
     let (mut flown, mut proven, mut problems) = (Vec::new(), Vec::new(), Vec::new());
     for name in names.iter().filter(|name| name.ends_with(FLIGHT)) {
         match fly(&folder.join(FLIGHTS), name, level, &mut left) {
@@ -169,7 +153,7 @@ pub fn proven(folder: &Path, level: &Arc<Level>) -> (Vec<String>, Vec<Problem>) 
                 proven.extend(proves);
                 flown.push(reached);
             }
-            Err(fault) => problems.push(problem(name, fault)),
+            Err((found, expected)) => problems.push(problem(format!("{FLIGHTS}{name}"), found, expected)),
         }
     }
     if problems.is_empty() {
@@ -182,8 +166,7 @@ pub fn proven(folder: &Path, level: &Arc<Level>) -> (Vec<String>, Vec<Problem>) 
 /// the time that it took into constants.csv. The answer is the flight's file.
 /// Errors: every reason why it proves nothing there, a line each, and nothing was written; the disk's.
 pub fn prove(folder: &Path, project: &Path, stem: &str, replay: Replay) -> Result<PathBuf, Vec<String>> {
-    let opened = LevelFolder::open_to_edit(folder, project).map_err(|problem| vec![problem])?;
-    let Opened { mut document, mut folder, .. } = opened;
+    let Opened { mut document, mut folder, .. } = LevelFolder::open_to_edit(folder, project).map_err(|problem| vec![problem])?;
     prove_in((&mut folder, &mut document), stem, replay)
 }
 
@@ -201,16 +184,18 @@ pub fn prove_in((opened, edited): (&mut LevelFolder, &mut Document), stem: &str,
     let flights = opened.path().join(FLIGHTS);
     let path = flights.join(format!("{stem}{FLIGHT}"));
     let text = replay.to_string();
-    match earn(stem, replay, &level).map_err(|(found, expected)| one(files::found_instead(stem, found, expected)))? {
-        (_, Some(_)) => {}
-        (_, None) => return Err(one(format!("{stem}: the level has no medal or mark of that name"))),
-    }
+    let (_, proof) = earn(stem, replay, &level).map_err(|(found, expected)| one(files::found_instead(stem, found, expected)))?;
+    proof.ok_or_else(|| one(format!("{stem}: the level has no medal or mark of that name")))?;
     let refused = |error: io::Error| one(format!("{}: {error}", path.display()));
     files::make_folder(&flights).map_err(refused)?;
     files::replace(&path, text.as_bytes(), Symlinks::Followed).map_err(refused)?;
     opened.save(&document).map_err(|error| one(error.to_string()))?;
     *edited = document;
     Ok(path)
+}
+
+fn problem(file: String, found: String, expected: &str) -> Problem {
+    Problem { file, line: 0, column: String::new(), found, expected: expected.to_owned() }
 }
 
 /// The medals that no flight earns, of the goals that each flight has reached.
@@ -220,14 +205,9 @@ fn beyond(flown: &[Vec<Goal>]) -> Vec<Problem> {
         let same = flown.iter().flatten().filter(|other| other.prize == goal.prize);
         same.into_iter().all(|other| other.missing.is_some())
     });
-    let problem = |goal: &Goal| Problem {
-        file: "constants.csv".to_owned(),
-        line: 0,
-        column: String::new(),
-        found: format!("a medal ({}) that no flight in {FLIGHTS} earns", goal.asks),
-        expected: "a flight that does, or a goal in reach of them".to_owned(),
-    };
-    missed.map(problem).collect()
+    let found = |goal: &Goal| format!("a medal ({}) that no flight in {FLIGHTS} earns", goal.asks);
+    let expected = "a flight that does, or a goal in reach of them";
+    missed.map(|goal| problem("constants.csv".to_owned(), found(goal), expected)).collect()
 }
 
 fn unreadable(why: &dyn Display) -> String {
@@ -298,12 +278,10 @@ impl Cost {
     /// Bytes of a file that tell its cost.
     pub const HEAD: u64 = 24;
 
-    /// Bytes.
     pub fn of_archive(packed: u64) -> Self {
         Self { files: packed, ..Self::default() }
     }
 
-    /// `head` is the beginning of the file.
     pub fn add(&mut self, path: &str, size: u64, head: &[u8]) {
         self.files = self.files.saturating_add(size);
         if path.to_lowercase().ends_with(FLIGHT) {
@@ -325,7 +303,6 @@ impl Cost {
     }
 }
 
-/// The pixels of a PNG with that head.
 fn pixels(head: &[u8]) -> Option<u64> {
     let side = |at: usize| Some(u64::from(u32::from_be_bytes(*head.get(at..)?.first_chunk()?)));
     if head.starts_with(SIGNATURE) { Some(side(SIDES)?.saturating_mul(side(SIDES + 4)?)) } else { None }

@@ -10,27 +10,19 @@ pub(super) const DEEPEST: usize = 8;
 /// Windows allows them in no name.
 const FORBIDDEN: &str = ":*?\"<>|";
 
-/// The parts of an entry's path: at least one, each a plain name. `None` for hidden files and macOS's notes about files. The error
-/// is the fault of the path.
+/// The parts of an entry's path: at least one, each a plain name. `None` for hidden files and macOS's notes. Errors: the fault of the path.
 pub(super) fn parts(raw: &[u8]) -> Result<Option<Vec<String>>, String> {
     let shown = || format!("{:?}", String::from_utf8_lossy(raw));
     let text =
         str::from_utf8(raw).map_err(|_| tr!("{place}: found a name that is no UTF-8, expected one that is", place = shown()))?;
     let parts: Vec<&str> = text.trim_end_matches('/').split('/').collect();
     if parts.len() > DEEPEST {
-        return Err(tr!(
-            "{place}: found {count} folders in each other, expected at most {most}",
-            place = shown(),
-            count = parts.len(),
-            most = DEEPEST
-        ));
+        let (place, count, most) = (shown(), parts.len(), DEEPEST);
+        return Err(tr!("{place}: found {count} folders in each other, expected at most {most}", place, count, most));
     }
     if let Some(fault) = parts.iter().find_map(|part| fault(part)) {
-        return Err(tr!(
-            "{place}: found a path with {fault}, expected one that stays in the level's folder",
-            place = shown(),
-            fault
-        ));
+        let place = shown();
+        return Err(tr!("{place}: found a path with {fault}, expected one that stays in the level's folder", place, fault));
     }
     let beside = |part: &&str| part.starts_with('.') || matches!(*part, "__MACOSX" | "Thumbs.db" | "desktop.ini");
     Ok((!parts.iter().any(beside)).then(|| parts.into_iter().map(str::to_owned).collect()))
@@ -61,16 +53,14 @@ pub(super) fn folded(name: &str) -> String {
 
 /// Judges a level's folder name: every system can have it, and no other file of the scores does. The error is the fault with the expected names.
 pub(super) fn judge_folder(name: &str) -> Result<(), String> {
-    let refused =
-        |expected: String| Err(tr!("found the level name {name}, expected {expected}", name = format_args!("{name:?}"), expected));
-    match judge_name(name) {
-        Err(fault @ (NameFault::Board(_) | NameFault::Device | NameFault::Experiments | NameFault::Hidden(_))) => {
-            refused(fault.expected())
-        }
+    let refusal = match judge_name(name) {
+        Err(fault @ (NameFault::Board(_) | NameFault::Device | NameFault::Experiments | NameFault::Hidden(_))) => fault,
         // New levels need a word; an old one only must not lead elsewhere.
-        _ if fault(name).is_some() || name.starts_with('.') || name.contains('/') => refused(NameFault::NoWord.expected()),
-        _ => Ok(()),
-    }
+        _ if fault(name).is_some() || name.starts_with('.') || name.contains('/') => NameFault::NoWord,
+        _ => return Ok(()),
+    };
+    let (name, expected) = (format!("{name:?}"), refusal.expected());
+    Err(tr!("found the level name {name}, expected {expected}", name, expected))
 }
 
 #[cfg(test)]

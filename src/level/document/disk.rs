@@ -1,8 +1,5 @@
-//! The only part of the document that knows the disk. Each file is replaced whole; `.autosave` in the level's folder holds all edits from
-//! before the first replacement until after the last. Whenever the program ends, each file is the old one or the new one, and no edit is
-//! lost. The loader and `check` pass over hidden names.
-//!
-//! One editor of a level at a time.
+//! The only part of the document that knows the disk. Each file is replaced whole; `.autosave` in the level's folder, which the loader passes over,
+//! holds all edits from before the first replacement until after the last: no edit is lost. One editor of a level at a time.
 
 use super::model::{self, Document, Kept};
 use crate::files::{self, Lock, Manner, Symlinks};
@@ -15,7 +12,6 @@ use std::{collections::BTreeMap, env, fmt, io, process, sync::Arc, time::Duratio
 
 const KEPT: &str = ".autosave";
 const ASSETS: &str = "assets";
-/// The depth of its folders that are searched.
 const ASSETS_DEPTH: u32 = 3;
 /// The most pictures that are offered, and the most entries of one folder.
 const MOST_PICTURES: usize = 1000;
@@ -29,12 +25,10 @@ pub struct LevelFolder {
     _lock: Option<Arc<EditorLock>>,
 }
 
-/// The side whose files stay where another program has written into files that are edited here.
+/// The side whose files stay where another program has written into files that are edited here: the document's or the other program's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KeptSide {
-    /// The document's.
     Mine,
-    /// The other program's.
     Theirs,
 }
 
@@ -75,8 +69,7 @@ impl LevelFolder {
         Self::open_with(folder, project, None)
     }
 
-    /// As [`LevelFolder::open`], for an editor, which is the only one of the level.
-    /// Errors: another editor has the level open, by its user and process.
+    /// As [`LevelFolder::open`], for the level's only editor. Errors: another one has it open, by its user and process.
     pub fn open_to_edit(folder: &Path, project: &Path) -> Result<Opened, String> {
         let lock = if files::is_folder(folder) { EditorLock::take(folder)? } else { None };
         Self::open_with(folder, project, lock)
@@ -111,14 +104,12 @@ impl LevelFolder {
         LevelDisk { folder: &self.folder, project: &self.project }
     }
 
-    /// Hands the sizes of its pictures to the document.
     pub fn measure(&self, document: &mut Document) {
         let side = |(width, height)| DVec2::new(width, height);
         document.tell_sizes(BTreeMap::new(), None);
         let background = png_size(self.disk().level_file(BACKGROUND), BACKGROUND).ok().map(side);
-        let size =
-            |name: &String| Some((name.clone(), side(png_size(files::read(&self.picture(name), files::PICTURE), name).ok()?)));
-        let pictures = document.unknown_pictures().iter().filter_map(size).collect();
+        let size = |name: &str| png_size(files::read(&self.picture(name), files::PICTURE), name).ok().map(side);
+        let pictures = document.unknown_pictures().into_iter().filter_map(|name| Some((name.clone(), size(&name)?))).collect();
         document.tell_sizes(pictures, background);
     }
 
@@ -211,8 +202,8 @@ impl LevelFolder {
     /// Writes every file that has changed. Errors: see [`LevelSaveError`]; no edit is lost.
     pub fn save(&mut self, document: &Document) -> Result<(), LevelSaveError> {
         let changed: Vec<Table> = Table::ALL.iter().copied().filter(|table| self.is_edited(*table, document)).collect();
-        let theirs: Vec<Table> =
-            self.changed().into_iter().filter(|(table, _)| changed.contains(table)).map(|(table, _)| table).collect();
+        let theirs = self.changed().into_iter().map(|(table, _)| table).filter(|table| changed.contains(table));
+        let theirs: Vec<Table> = theirs.collect();
         if !theirs.is_empty() {
             return Err(LevelSaveError::Changed(theirs));
         }
@@ -241,7 +232,6 @@ impl LevelFolder {
     }
 
     pub fn forget(&self) {
-        // There may be none.
         let _ = files::remove(&self.folder.join(KEPT));
     }
 

@@ -1,6 +1,5 @@
-//! Operations on rows: to change cells, to add, move, double and take out rows. Each can be undone.
-//! Carries operations out, undoes them, and joins the operations of one gesture.
-//! Rows that are doubled, and rows as a text of the clipboard, for this level or another one.
+//! Operations on rows, which change cells and add, move, double and take out rows: done, undone, and joined where they are of one gesture. Rows as a
+//! text of the clipboard, for this level or another one.
 
 use super::links::shifted_end;
 use super::model::{ByteChange, Document, EditChange, NewRow, RowId, SetCell};
@@ -18,11 +17,9 @@ impl Document {
         let renamed = self.renamed(cells, gesture).into_iter().chain(self.renamed_ends(cells, gesture));
         let cells: Vec<SetCell> = cells.iter().cloned().chain(renamed).collect();
         for sheet in &self.sheets {
-            let edits: Vec<CellEdit> = cells
-                .iter()
-                .filter(|cell| cell.row.table == sheet.table)
-                .map(|cell| CellEdit { row: cell.row.row, column: cell.column, text: &cell.text })
-                .collect();
+            let own = cells.iter().filter(|cell| cell.row.table == sheet.table);
+            let edits = own.map(|SetCell { row, column, text }| CellEdit { row: row.row, column, text });
+            let edits: Vec<CellEdit> = edits.collect();
             if !edits.is_empty() {
                 files.push((sheet.table, Some(sheet.edit(&edits)?)));
             }
@@ -55,8 +52,8 @@ impl Document {
 
     /// Errors: as [`Document::set`].
     pub fn put(&mut self, kind: Kind, place: Place) -> Result<Option<RowId>, String> {
-        let mut cells: Vec<(&'static str, String)> =
-            kind.schema().fresh.iter().map(|(column, text)| (*column, (*text).to_owned())).collect();
+        let fresh = kind.schema().fresh.iter().map(|(column, text)| (*column, (*text).to_owned()));
+        let mut cells: Vec<(&'static str, String)> = fresh.collect();
         let at = if kind.by_centre() { place.centre().round() } else { place.min };
         let mut size = place.size.max(DVec2::ONE);
         cells.extend([("x", number(at.x)), ("y", number(at.y))]);
@@ -126,11 +123,8 @@ impl Document {
         let resized = (to.size - from.size).abs().max_element() > 0.5 / FINEST;
         let corner = |place: &Place| if kind.by_centre() { place.centre() } else { place.min };
         let (old, new) = (corner(&from), corner(&to));
-        if new.x != old.x {
-            set("x", new.x);
-        }
-        if new.y != old.y {
-            set("y", new.y);
+        for (column, axis) in [("x", 0), ("y", 1)].into_iter().filter(|(_, axis)| old[*axis] != new[*axis]) {
+            set(column, new[axis]);
         }
         if resized && self.is_sizable(row) {
             match kind {
@@ -182,7 +176,6 @@ impl Document {
         Table::ALL.iter().map(|table| self.bytes(*table).map(<[u8]>::to_vec)).collect()
     }
 
-    /// By [`Table`].
     pub(super) fn replace_all(&mut self, files: Vec<Option<Vec<u8>>>) {
         self.apply(Table::ALL.iter().copied().zip(files).collect(), None);
     }
@@ -238,8 +231,8 @@ impl Document {
         }
         self.write(files);
         self.redo.clear();
-        let changed = before.into_iter().filter_map(|(table, old)| ByteChange::between(table, old.as_deref(), self.bytes(table)));
-        let files: Vec<ByteChange> = changed.collect();
+        let change = |(table, old): (Table, Option<Vec<u8>>)| ByteChange::between(table, old.as_deref(), self.bytes(table));
+        let files: Vec<ByteChange> = before.into_iter().filter_map(change).collect();
         if !files.is_empty() {
             self.undo.push(EditChange { files, gesture });
         }

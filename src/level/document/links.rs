@@ -1,5 +1,4 @@
-//! Links: what an author chooses of them, and their ends by the names of bodies or as places.
-//! The wires from switches to things, by the names of the things.
+//! Links: what an author chooses of them, and their ends by the names of bodies or as places; and the wires from switches to things, by name.
 
 use super::model::{Document, NewRow, RowId, SetCell};
 use super::places::{Place, number, point};
@@ -45,8 +44,7 @@ impl LinkForm {
         Self::ALL.into_iter().find(is).unwrap_or(Self::Rope)
     }
 
-    /// The cells of a new one, besides its ends. A ship of 100 kg hangs on the spring 1 m deep in 15 N/kg, and a magnet 10 m away pulls as
-    /// hard as 2 m/s² do.
+    /// Of a new one, besides its ends. A ship of 100 kg hangs 1 m deep on the spring in 15 N/kg, and a magnet 10 m away pulls as hard as 2 m/s² do.
     fn cells(self) -> &'static [(&'static str, &'static str)] {
         match self {
             Self::Spring => &[("kind", "spring"), ("stiffness", "1500"), ("damping", "100")],
@@ -235,10 +233,8 @@ pub struct Wiring {
 
 impl Document {
     pub fn wires(&self) -> Vec<Wiring> {
-        let named: Vec<(RowId, &str)> = worked()
-            .flat_map(|table| self.rows(table))
-            .filter_map(|row| Some((row, self.cell(row, "name").filter(|name| !name.is_empty())?)))
-            .collect();
+        let name = |row| Some((row, self.cell(row, "name").filter(|name| !name.is_empty())?));
+        let named: Vec<(RowId, &str)> = worked().flat_map(|table| self.rows(table)).filter_map(name).collect();
         let mut wires = Vec::new();
         for switch in self.rows(Table::Switches) {
             for word in self.cell(switch, "works").unwrap_or_default().split_whitespace() {
@@ -285,8 +281,7 @@ impl Document {
         cells
     }
 
-    /// The switches' cells when things get other names. A name that is typed letter by letter may pass the name of another thing: so the wires
-    /// are looked up as they were before the gesture.
+    /// The switches' cells when things get other names, by the wires before the gesture: a name typed letter by letter may pass another thing's.
     pub(super) fn renamed(&self, cells: &[SetCell], gesture: Option<u64>) -> Vec<SetCell> {
         let is_name = |cell: &&SetCell| cell.column == "name" && self.can_be_worked(cell.row);
         let named: BTreeMap<RowId, &str> = cells.iter().filter(is_name).map(|cell| (cell.row, cell.text.trim())).collect();
@@ -313,9 +308,8 @@ impl Document {
         let before = self.before(Table::Switches, gesture);
         let mut rewired = Vec::new();
         for (index, row) in before.rows().iter().enumerate() {
-            let Some(works) = before.cell(index, "works").filter(|_| row.cells.iter().all(|cell| cell.fault.is_none())) else {
-                continue;
-            };
+            let good = row.cells.iter().all(|cell| cell.fault.is_none());
+            let Some(works) = before.cell(index, "works").filter(|_| good) else { continue };
             let mut words: Vec<String> = Vec::new();
             for word in works.split_whitespace() {
                 let (sign, name) = word.split_at(usize::from(word.starts_with('!')));
@@ -350,8 +344,7 @@ impl Document {
             _ => "belt",
         };
         let known = self.names();
-        let first = (1_u32..).map(|number| if number == 1 { stem.to_owned() } else { format!("{stem}{number}") });
-        let mut free = first.filter(|name| !known.contains(&name.as_str()));
-        free.next().unwrap_or_default()
+        let mut names = (1_u32..).map(|number| if number == 1 { stem.to_owned() } else { format!("{stem}{number}") });
+        names.find(|name| !known.contains(&name.as_str())).unwrap_or_default()
     }
 }

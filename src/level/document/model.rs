@@ -1,9 +1,6 @@
-//! The document: the files of a level, with the kind, the place and the cells of each row. A thing without a readable place is not drawn,
-//! and the loader lists its problem.
-//!
-//! The file of unsaved edits: the name and the length of each table, then its bytes.
-//!
-//! The changes of an operation: in each file the bytes between the first and the last that differ.
+//! The files of a level, with kind, place and cells of each row; a thing without a readable place is not drawn, and the loader lists its problem.
+//! The file of unsaved edits: name and length of each table, then its bytes. An operation's changes: in each file the bytes from the first to the
+//! last that differ.
 
 use super::places::{Place, parsed, shape};
 use super::sheet::EditedFile;
@@ -181,10 +178,8 @@ impl Document {
             }
             _ => DVec2::new(self.number(row, "width")?, self.number(row, "height")?),
         };
-        if size.cmple(DVec2::ZERO).any() {
-            return None;
-        }
-        Some(Place { min: if kind.by_centre() { at - size * 0.5 } else { at }, size })
+        let min = if kind.by_centre() { at - size * 0.5 } else { at };
+        Some(Place { min, size }).filter(|_| !size.cmple(DVec2::ZERO).any())
     }
 
     pub(super) fn measure_table(&mut self, table: Table) {
@@ -222,12 +217,9 @@ impl Files for Over<'_> {
                 None => Err(io::ErrorKind::NotFound.into()),
                 // A saved file of this size cannot be read.
                 Some(bytes) if bytes.len() as u64 > files::LEVEL_TABLE => {
-                    let found = tr!(
-                        "found {found}, expected at most {most} bytes",
-                        found = tr!("{count} bytes", count = bytes.len()),
-                        most = files::LEVEL_TABLE
-                    );
-                    Err(io::Error::new(io::ErrorKind::FileTooLarge, found))
+                    let (found, most) = (tr!("{count} bytes", count = bytes.len()), files::LEVEL_TABLE);
+                    let problem = tr!("found {found}, expected at most {most} bytes", found, most);
+                    Err(io::Error::new(io::ErrorKind::FileTooLarge, problem))
                 }
                 Some(bytes) => Ok(bytes.to_vec()),
             },

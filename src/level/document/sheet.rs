@@ -13,9 +13,9 @@ type Splice = (Range<usize>, String);
 /// A new row: its kind, and the texts of some columns.
 pub(super) type Added = (&'static RowSchema, Vec<(&'static str, String)>);
 
+/// The row counts from 0, without headers.
 #[derive(Clone, Debug)]
 pub(super) struct CellEdit<'a> {
-    /// The row, from 0, headers not counted.
     pub row: usize,
     pub column: &'static str,
     pub text: &'a str,
@@ -107,9 +107,8 @@ impl EditedFile {
     pub fn lines(&self, row: usize) -> Option<(usize, usize)> {
         let row = self.rows().get(row)?;
         let text = &self.text.as_bytes()[row.span.clone()];
-        let ends =
-            text.iter().enumerate().filter(|(i, byte)| **byte == b'\n' || (**byte == b'\r' && text.get(i + 1) != Some(&b'\n')));
-        Some((row.line, row.line + ends.count().max(1)))
+        let is_end = |(i, byte): &(usize, &u8)| **byte == b'\n' || (**byte == b'\r' && text.get(i + 1) != Some(&b'\n'));
+        Some((row.line, row.line + text.iter().enumerate().filter(is_end).count().max(1)))
     }
 
     pub fn edit(&self, edits: &[CellEdit]) -> Result<Vec<u8>, String> {
@@ -127,11 +126,8 @@ impl EditedFile {
             let mut added: Vec<Option<&str>> = Vec::new();
             for edit in of_row {
                 let Some(index) = position(&columns, edit.column) else {
-                    return Err(tr!(
-                        "{file} has no column {column} in this row",
-                        file = self.table.file(),
-                        column = format_args!("{:?}", edit.column)
-                    ));
+                    let (file, column) = (self.table.file(), format!("{:?}", edit.column));
+                    return Err(tr!("{file} has no column {column} in this row", file, column));
                 };
                 let Some(cell) = row.cells.get(index) else {
                     let beyond = index - row.cells.len();
@@ -145,8 +141,8 @@ impl EditedFile {
                 }
                 let quoted = self.text[cell.span.clone()].starts_with('"');
                 let first = row.cells[0].text.trim();
-                splices
-                    .push((cell.span.clone(), self.encoded(columns[index], first, text, quoted || is_comment(text, index == 0))));
+                let new = self.encoded(columns[index], first, text, quoted || is_comment(text, index == 0));
+                splices.push((cell.span.clone(), new));
             }
             while added.last().is_some_and(|text| text.is_none_or(str::is_empty)) {
                 added.pop();
@@ -182,11 +178,8 @@ impl EditedFile {
         }
         // A cell beyond the header, which is a mistake, would get a column.
         if let Some(row) = self.rows().iter().find(|row| row.cells.iter().skip(known).any(|cell| !cell.is_empty())) {
-            return Err(tr!(
-                "{file}:{line} has more cells than the header: it is to be mended first",
-                file = self.table.file(),
-                line = row.line
-            ));
+            let (file, line) = (self.table.file(), row.line);
+            return Err(tr!("{file}:{line} has more cells than the header: it is to be mended first", file, line));
         }
         Ok(Some((last.span.end..last.span.end, new)))
     }
@@ -238,24 +231,19 @@ impl EditedFile {
         let bytes = self.dialect.encoding.encode(&text);
         let mut read = table::rows(self.table.rows(), &bytes);
         if read.dialect != self.dialect && read.next().is_some() {
-            return Err(tr!(
-                "{file} would be read with other separators: it is to be edited in a text editor",
-                file = self.table.file()
-            ));
+            let file = self.table.file();
+            return Err(tr!("{file} would be read with other separators: it is to be edited in a text editor", file));
         }
         Ok(bytes)
     }
 
     fn row(&self, row: usize) -> Result<&SpannedRow, String> {
         let row = self.rows().get(row).ok_or(tr("there is no such row any more"))?;
-        match row.cells.iter().any(|cell| cell.fault.is_some()) {
-            true => Err(tr!(
-                "{file}:{line} cannot be read: it is to be mended in a text editor",
-                file = self.table.file(),
-                line = row.line
-            )),
-            false => Ok(row),
+        if row.cells.iter().all(|cell| cell.fault.is_none()) {
+            return Ok(row);
         }
+        let (file, line) = (self.table.file(), row.line);
+        Err(tr!("{file}:{line} cannot be read: it is to be mended in a text editor", file, line))
     }
 
     /// A row's text, without empty cells behind the last required one.

@@ -1,5 +1,4 @@
-//! Rows of solid blocks, world.csv, movers.csv and doors.csv; and of switches.csv.
-//! Rows of links.csv.
+//! Rows of solid blocks, world.csv, movers.csv and doors.csv; of switches.csv; and of links.csv.
 
 use super::facts::{Column, Count, FileSchema, Holds, RowSchema};
 use super::typed::{FromRow, MATERIAL, Row as _, RowCells, RowReader, Word, by_word, number, one_of, rows};
@@ -16,8 +15,7 @@ pub static WORLD: FileSchema = FileSchema {
     sample: "0,680,1280,40,Asphalt\n840,440,440,30,Wood\n560,560,120,15,Steel,top\n",
 };
 pub static SOLID: RowSchema =
-    RowSchema::new(&WORLD, "Block", SolidRow::COLUMNS)
-        .size(160.0, 40.0)
+    RowSchema::new(&WORLD, "Block", SolidRow::COLUMNS, (160.0, 40.0))
         .counted(&[Count::always("solid", "solids", |level| level.world.len())]);
 
 pub static MOVERS: FileSchema = FileSchema {
@@ -25,16 +23,14 @@ pub static MOVERS: FileSchema = FileSchema {
     help: "Blocks that move through way points. They carry, push and crush.",
     sample: "240,560,90,20,240 380; 400 380,3,,0.5,0.5,back,Steel,,0,\n",
 };
-pub static MOVER: RowSchema = RowSchema::new(&MOVERS, "Mover", MoverRow::COLUMNS)
+pub static MOVER: RowSchema = RowSchema::new(&MOVERS, "Mover", MoverRow::COLUMNS, (120.0, 20.0))
     .fresh(&[("speed", "2"), ("wait", "1"), ("ease", "0.5")])
-    .size(120.0, 20.0)
     .counted(&[Count::if_any("mover", "movers", |level| level.movers.len())]);
 
 pub static DOORS: FileSchema =
     FileSchema { name: "doors.csv", help: "Blocks that a switch opens.", sample: "1000,300,20,140,gate,Steel\n" };
 pub static DOOR: RowSchema =
-    RowSchema::new(&DOORS, "Door", DoorRow::COLUMNS)
-        .size(20.0, 120.0)
+    RowSchema::new(&DOORS, "Door", DoorRow::COLUMNS, (20.0, 120.0))
         .counted(&[Count::if_any("door", "doors", |level| level.doors.len())]);
 
 pub static SWITCHES: FileSchema = FileSchema {
@@ -42,9 +38,8 @@ pub static SWITCHES: FileSchema = FileSchema {
     help: "Plates and areas that work doors, movers, streams, belts and links by their names.",
     sample: "60,360,60,60,gate,,ship,latched\n760,640,60,40,!fan,,object,held\n",
 };
-pub static SWITCH: RowSchema = RowSchema::new(&SWITCHES, "Switch", SwitchRow::COLUMNS)
+pub static SWITCH: RowSchema = RowSchema::new(&SWITCHES, "Switch", SwitchRow::COLUMNS, (60.0, 60.0))
     .fresh(&[("by", "ship"), ("stays", "held")])
-    .size(60.0, 60.0)
     .counted(&[Count::if_any("switch", "switches", |level| level.switches.len())]);
 
 const ONE_WAY: Column = one_of::<Sides>("the one side from which it is solid; with none it is solid all around").or("");
@@ -125,11 +120,10 @@ pub fn mover(record: &RowCells, reader: &mut RowReader) -> Option<Mover> {
     let pace = pace(&row, record, reader)?;
     let bounds = reader.scale.bounds([row.x, row.y, row.width, row.height]);
     let solid = Solid { sides: row.one_way, belt: row.belt, name: row.name, ..Solid::new(bounds, row.material) };
-    let corners = row.way_points.0.into_iter().map(|corner| reader.scale.place(corner));
+    let corners = row.way_points.0.into_iter().map(|corner| corner / reader.scale.metre);
     let stops: Vec<DVec2> = std::iter::once(bounds.min).chain(corners).map(|corner| corner + bounds.size() * 0.5).collect();
     if stops.windows(2).any(|pair| pair[0].distance(pair[1]) < MIN_SIZE) {
-        let points = quoted(record.text("way_points")?);
-        let found = tr!("{points}, with a way point where the block is already", points);
+        let found = tr!("{points}, with a way point where the block is already", points = quoted(record.text("way_points")?));
         let expected = tr("each way point apart from the one before (the first, from x and y)");
         reader.problems.push(record.problem("way_points", found, expected));
         return None;
@@ -157,8 +151,7 @@ fn pace(row: &MoverRow, record: &RowCells, reader: &mut RowReader) -> Option<Mov
 pub fn switch(record: &RowCells, reader: &mut RowReader) -> Option<Switch> {
     let SwitchRow { x, y, width, height, works, weight, by, stays } = record.read(reader)?;
     if weight.is_some() && by != Presser::Any {
-        let by = quoted(record.text("by")?);
-        let found = tr!("{by} beside a weight", by);
+        let found = tr!("{by} beside a weight", by = quoted(record.text("by")?));
         reader.problems.push(record.problem("by", found, tr("nothing or any: a plate is pressed by whatever weighs on it")));
         return None;
     }
@@ -172,7 +165,7 @@ pub static LINKS: FileSchema = FileSchema {
            s/ℓ². A switch that is off lets the ends go; it stops a link that has a rate.",
     sample: "",
 };
-pub static LINK: RowSchema = RowSchema::new(&LINKS, "Link", LinkRow::COLUMNS)
+pub static LINK: RowSchema = RowSchema::new(&LINKS, "Link", LinkRow::COLUMNS, (51.0, 51.0))
     .fresh(&[("kind", "rope"), ("stiffness", "5000"), ("damping", "100")])
     .counted(&[Count::if_any("link", "links", |level| level.links.len())]);
 
@@ -231,25 +224,24 @@ pub fn link(record: &RowCells, reader: &mut RowReader) -> Option<UnboundLink> {
         LinkKind::Magnet => ("strength", &["length", "stiffness", "damping", "rate"]),
         LinkKind::Spring | LinkKind::Rope => ("stiffness", &["strength"]),
     };
-    for column in others.iter().filter_map(|column| Some((*column, given(column)?))) {
-        let magnet = kind == LinkKind::Magnet;
-        refuse(column.0, column.1, tr(if magnet { "nothing: a magnet has none" } else { "nothing: only a magnet has one" }));
+    let magnet = kind == LinkKind::Magnet;
+    for (column, found) in others.iter().filter_map(|column| Some((*column, given(column)?))) {
+        refuse(column, found, tr(if magnet { "nothing: a magnet has none" } else { "nothing: only a magnet has one" }));
     }
     if given(own).is_none() {
-        let expected = tr(if kind == LinkKind::Magnet { "a strength in N·m²" } else { "a stiffness in N/m" });
-        refuse(own, tr("nothing").to_owned(), expected);
+        refuse(own, tr("nothing").to_owned(), tr(if magnet { "a strength in N·m²" } else { "a stiffness in N/m" }));
     }
-    let (length, breaks, damping) = (row.length, row.breaks, row.damping);
-    let spring =
-        |stiffness: f64| Spring { length: length.unwrap_or(0.0) / reader.scale.metre, stiffness, damping: damping.unwrap_or(0.0) };
+    let LinkRow { breaks, rate, .. } = row;
+    let (length, damping) = (row.length.unwrap_or(0.0) / reader.scale.metre, row.damping.unwrap_or(0.0));
+    let spring = |stiffness: f64| Spring { length, stiffness, damping };
     let law = match kind {
         LinkKind::Spring => LinkLaw::Spring(spring(row.stiffness?)),
         LinkKind::Rope => LinkLaw::Rope(spring(row.stiffness?)),
         LinkKind::Magnet => LinkLaw::Magnet(Magnet { strength: row.strength?, nearest: 0.0 }),
     };
-    let (hook, rate, name) = (row.hook == LinkBegin::Touch, row.rate, row.name);
+    let (hook, as_found, name) = (row.hook == LinkBegin::Touch, row.length.is_none(), row.name);
     let ends = [row.a, row.b].map(|end| end.in_metres(reader.scale));
-    (reader.problems.len() == before).then_some(UnboundLink { ends, law, as_found: length.is_none(), hook, breaks, rate, name })
+    (reader.problems.len() == before).then_some(UnboundLink { ends, law, as_found, hook, breaks, rate, name })
 }
 
 /// The most links of a level: a stiff one takes some 10 µs a tick.

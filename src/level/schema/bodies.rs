@@ -13,13 +13,12 @@ pub static PLAYER: FileSchema = FileSchema {
     help: "The ship, exactly one row. It is 51 pixels high at the usual scale.",
     sample: "150,650,100,500,2500,TRUE,0,0,0,Asphalt,1.15,0\n",
 };
-pub static SHIP: RowSchema = RowSchema::new(&PLAYER, "Ship", ShipRow::COLUMNS).by_centre();
+pub static SHIP: RowSchema = RowSchema::new(&PLAYER, "Ship", ShipRow::COLUMNS, (51.0, 51.0)).by_centre();
 
 pub static OBJECTS: FileSchema =
     FileSchema { name: "objects.csv", help: "Things that move.", sample: "600,660,box:40x40,50,1.05,FALSE,0.2,0,0,Wood,FALSE\n" };
-pub static OBJECT: RowSchema = RowSchema::new(&OBJECTS, "Object", ObjectRow::COLUMNS)
+pub static OBJECT: RowSchema = RowSchema::new(&OBJECTS, "Object", ObjectRow::COLUMNS, (40.0, 40.0))
     .fresh(&[("mass", "50"), ("drag", "1.05"), ("circular", "FALSE"), ("restitution", "0.2")])
-    .size(40.0, 40.0)
     .by_centre()
     .counted(&[
         Count::always("object", "objects", |level| level.objects.iter().filter(|object| object.key.is_none()).count()),
@@ -32,20 +31,17 @@ pub static OBJECTIVES: FileSchema = FileSchema {
            the columns of these rows never change places.",
     sample: "PLAYER,1120,430,100,10,1\n",
 };
-pub static PAD: RowSchema = RowSchema::new(&OBJECTIVES, "Ship's pad", ObjectiveRow::COLUMNS)
+pub static PAD: RowSchema = RowSchema::new(&OBJECTIVES, "Ship's pad", ObjectiveRow::COLUMNS, (120.0, 10.0))
     .tagged("PLAYER")
     .fresh(&[("kind", "PLAYER"), ("hold", "1")])
-    .size(120.0, 10.0)
     .counted(&[Count::always("player objective", "player objectives", |level| level.objectives_of(ObjectiveKind::Player))]);
-pub static KEY_PAD: RowSchema = RowSchema::new(&OBJECTIVES, "Key's pad", ObjectiveRow::COLUMNS)
+pub static KEY_PAD: RowSchema = RowSchema::new(&OBJECTIVES, "Key's pad", ObjectiveRow::COLUMNS, (120.0, 10.0))
     .tagged("PHYS")
     .fresh(&[("kind", "PHYS")])
-    .size(120.0, 10.0)
     .counted(&[Count::always("physics objective", "physics objectives", |level| level.objectives_of(ObjectiveKind::Physics))]);
-pub static KEY: RowSchema = RowSchema::new(&OBJECTIVES, "Key object", KeyRow::COLUMNS)
+pub static KEY: RowSchema = RowSchema::new(&OBJECTIVES, "Key object", KeyRow::COLUMNS, (40.0, 40.0))
     .tagged("OBJECT")
     .fresh(&[("kind", "OBJECT"), ("mass", "50"), ("r", "240"), ("g", "170"), ("b", "40"), ("restitution", "0.2"), ("drag", "1.05")])
-    .size(40.0, 40.0)
     .by_centre();
 
 const KIND: Column = words("PLAYER, PHYS or OBJECT", "the kind of the row");
@@ -167,17 +163,14 @@ pub fn key(record: &RowCells, reader: &mut RowReader) -> Option<Object> {
 
 pub fn objective(kind: ObjectiveKind, record: &RowCells, reader: &mut RowReader) -> Option<Objective> {
     let row: ObjectiveRow = record.read(reader)?;
-    let colour = if kind == ObjectiveKind::Player {
-        let coloured = ["r", "g", "b"].into_iter().zip([row.r, row.g, row.b]).find(|(_, channel)| channel.is_some());
-        if let Some((column, _)) = coloured {
-            let found = quoted(record.text(column).unwrap_or_default());
-            reader.problems.push(record.problem(column, found, tr("nothing: only key objects have a colour that can fit")));
-            return None;
-        }
-        None
-    } else {
-        colour_if_given([row.r, row.g, row.b], record, reader)?
-    };
+    let channels = [row.r, row.g, row.b];
+    let coloured = ["r", "g", "b"].into_iter().zip(channels).find(|(_, channel)| channel.is_some());
+    if let Some((column, _)) = coloured.filter(|_| kind == ObjectiveKind::Player) {
+        let found = quoted(record.text(column).unwrap_or_default());
+        reader.problems.push(record.problem(column, found, tr("nothing: only key objects have a colour that can fit")));
+        return None;
+    }
+    let colour = colour_if_given(channels, record, reader)?;
     let bounds = reader.scale.bounds([row.x, row.y, row.width, row.height]);
     Some(Objective { kind, bounds, hold: row.hold, order: row.order, colour })
 }
@@ -188,9 +181,8 @@ pub(super) fn colour_if_given(channels: [Option<u8>; 3], record: &RowCells, read
         [None, None, None] => Some(None),
         [Some(r), Some(g), Some(b)] => Some(Some([r, g, b])),
         _ => {
-            let missing = ["r", "g", "b"].into_iter().zip(channels).find(|(_, channel)| channel.is_none());
-            let refuse = |(column, _)| reader.problems.push(record.problem(column, tr("nothing"), whole_number(0, 255)));
-            missing.map(refuse);
+            let (column, _) = ["r", "g", "b"].into_iter().zip(channels).find(|(_, channel)| channel.is_none())?;
+            reader.problems.push(record.problem(column, tr("nothing"), whole_number(0, 255)));
             None
         }
     }

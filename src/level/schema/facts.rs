@@ -54,9 +54,9 @@ pub struct Column {
     pub(in crate::level) holds: Holds,
 }
 
+/// What a cell may hold; places and sizes in pixels, words and flags in any case.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::level) enum Holds {
-    /// A coordinate, pixels.
     Position,
     /// A width, a height or another size, pixels.
     Size,
@@ -65,11 +65,9 @@ pub(in crate::level) enum Holds {
     /// A size with a sign, or 0, pixels.
     Reach,
     Number(NumberRange),
-    /// A whole number, both ends included.
+    /// Both ends included.
     Whole(u32, u32),
-    /// One of these words, in any case.
     OneOf(fn() -> Vec<&'static str>),
-    /// TRUE or FALSE, in any case.
     Flag,
     /// By which switches find a thing.
     Name,
@@ -77,13 +75,12 @@ pub(in crate::level) enum Holds {
     BodyName,
     /// Names that a switch works.
     Works,
-    /// The end of a link.
+    /// Of a link.
     End,
-    /// A picture's path or a plain shape; in an unfinished level a box may stand in for a body's.
+    /// A picture's path or a plain shape; in an unfinished level a box may stand in for that of a body.
     Picture {
         of_body: bool,
     },
-    /// Pairs of coordinates, pixels.
     Points,
     /// A number of objectives, and seconds.
     Together,
@@ -96,7 +93,6 @@ pub(in crate::level) enum Holds {
 const MOST_NAMES: usize = 8;
 
 impl Holds {
-    /// `None` where cells hold no number.
     pub fn range(&self, scale: PixelScale) -> Option<NumberRange> {
         match self {
             Self::Position | Self::Reach => Some(scale.coordinate()),
@@ -110,9 +106,7 @@ impl Holds {
     /// Errors: what is expected in place of a cell. Pictures are judged by their files.
     pub fn judge(&self, text: &str, scale: PixelScale) -> Result<(), String> {
         let wanted = |good: bool, expected: &str| if good { Ok(()) } else { Err(tr(expected).to_owned()) };
-        let inside = |places: &[DVec2]| {
-            places.iter().flat_map(|place| [place.x, place.y]).try_for_each(|number| scale.coordinate().judge(number))
-        };
+        let inside = |places: &[DVec2]| places.iter().flat_map(DVec2::to_array).try_for_each(|side| scale.coordinate().judge(side));
         match self {
             Self::Position | Self::Reach | Self::Size | Self::Length | Self::Number(_) => {
                 self.range(scale).map_or(Ok(()), |range| range.parse(text).map(drop))
@@ -132,10 +126,10 @@ impl Holds {
                 let named = names_in(text).all(is_name) && names_in(text).count() <= MOST_NAMES;
                 wanted(named, "a name of letters, digits, - and _ that begins with a letter")
             }
-            Self::BodyName => wanted(
-                is_name(text) && !text.eq_ignore_ascii_case("ship"),
-                "a name of letters, digits, - and _ that begins with a letter, other than ship",
-            ),
+            Self::BodyName => {
+                let good = is_name(text) && !text.eq_ignore_ascii_case("ship");
+                wanted(good, "a name of letters, digits, - and _ that begins with a letter, other than ship")
+            }
             Self::Works => Works::try_from(text.to_owned()).map(drop),
             Self::End => match LinkRowEnd::try_from(text.to_owned())? {
                 LinkRowEnd::Place(place) => inside(&[place]),
@@ -285,8 +279,8 @@ impl Count {
 }
 
 impl RowSchema {
-    pub(super) const fn new(file: &'static FileSchema, name: &'static str, columns: &'static [Column]) -> Self {
-        Self { file, tag: "", name, columns, fresh: &[], usual_size: (51.0, 51.0), by_centre: false, counts: &[] }
+    pub(super) const fn new(file: &'static FileSchema, name: &'static str, columns: &'static [Column], size: (f64, f64)) -> Self {
+        Self { file, tag: "", name, columns, fresh: &[], usual_size: size, by_centre: false, counts: &[] }
     }
 
     pub(super) const fn tagged(self, tag: &'static str) -> Self {
@@ -295,10 +289,6 @@ impl RowSchema {
 
     pub(super) const fn fresh(self, fresh: &'static [(&'static str, &'static str)]) -> Self {
         Self { fresh, ..self }
-    }
-
-    pub(super) const fn size(self, width: f64, height: f64) -> Self {
-        Self { usual_size: (width, height), ..self }
     }
 
     pub(super) const fn by_centre(self) -> Self {
@@ -313,7 +303,6 @@ impl RowSchema {
         self.columns.iter().find(|column| column.name.eq_ignore_ascii_case(name.trim()))
     }
 
-    /// The names of all columns; those in brackets may be left out.
     pub fn columns_text(&self) -> String {
         self.columns.iter().map(Column::in_brackets).collect::<Vec<_>>().join(",")
     }

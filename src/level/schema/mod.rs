@@ -1,6 +1,5 @@
-//! One schema of a level. `facts` are the types of the tables, `typed` the columns with the types of their values and the cells of a row, `values`
-//! what a cell may hold beside numbers and words. `settings`, `bodies`, `blocks` and `zones` hold the tables, their rows and the things that the
-//! rows become; `kinds` lists them. `written` makes the rows of a new level and the tables of the documentation.
+//! `facts`: the types of tables; `typed`: columns, cells of a row; `values`: cells beside numbers and words; `settings`, `bodies`, `blocks`, `zones`:
+//! the tables, their rows, and the things of these; `kinds` lists them; `written`: the rows of a new level and the tables of the documentation.
 
 pub(super) mod blocks;
 pub(super) mod bodies;

@@ -15,7 +15,7 @@ pub static CONSTANTS: FileSchema = FileSchema {
     sample: "title,{name}\ngravity,15\ngravity_x,0\nair_density,1.2041\noptimal_time,60\nmetre,30\nrest_speed,0\nfriction,1\n\
              experiment,0\noverview,0\nstoreys,0\nworld,quarry\nsilver,30\ngold,15\nmark_hits,0\nwidth,1280\nheight,720\n",
 };
-pub static SETTING: RowSchema = RowSchema::new(&CONSTANTS, "Setting", SettingRow::COLUMNS);
+pub static SETTING: RowSchema = RowSchema::new(&CONSTANTS, "Setting", SettingRow::COLUMNS, (51.0, 51.0));
 
 const TIME: Column = number(numbers::MEDAL_TIME, "the longest time for this medal; gold is no longer than silver").maybe_filled();
 const SIDE: Column = Column::new(Holds::Size, "size of the level, where there is no background.png");
@@ -58,11 +58,8 @@ rows! {
         mark_pushes: Option<f64> =
             number(numbers::MARK_COUNT, "mark for no more pushes of objects by the ship than this; a whole number").maybe_filled(),
         mark_speed: Option<f64> = number(numbers::MARK_SPEED, "mark for no higher speed than this").maybe_filled(),
-        mark_burns: Option<f64> = number(
-            numbers::MARK_COUNT,
-            "mark for no more burns of the engine than this, each after at least 0.1 s without; a whole number",
-        )
-        .maybe_filled(),
+        mark_burns: Option<f64> = number(numbers::MARK_COUNT, "mark for no more burns of the engine than this, each after at least 0.1 s without; a whole number")
+            .maybe_filled(),
         mark_together: Option<Together> = Column::new(Holds::Together, "mark for that number of objectives met within that number of seconds").maybe_filled(),
     }
 }
@@ -107,11 +104,8 @@ fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem
             continue;
         };
         if given.text(known).is_some() {
-            reader.problems.push(record.problem(
-                "name",
-                tr!("{name} a second time", name = quoted(known)),
-                tr("each constant once"),
-            ));
+            let found = tr!("{name} a second time", name = quoted(known));
+            reader.problems.push(record.problem("name", found, tr("each constant once")));
         } else if let Some((_, value)) = record.cells.into_iter().find(|(column, _)| *column == "value") {
             given.dialect = dialect;
             given.cells.push((known, value));
@@ -122,21 +116,19 @@ fn named(rows: Vec<RowCells>, reader: &mut RowReader, warnings: &mut Vec<Problem
 
 /// Gold takes no longer than silver, and a level has one mark.
 fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> (Awards, Option<&'static str>) {
-    let (silver, gold) = (row.silver, row.gold);
+    let SettingsRow { silver, gold, .. } = *row;
     let marks = [
         ("mark_hits", row.mark_hits, Mark::Hits as fn(u32) -> Mark),
         ("mark_pushes", row.mark_pushes, Mark::Pushes),
         ("mark_burns", row.mark_burns, Mark::Burns),
     ];
     let mut marked: Vec<(&'static str, Mark)> = Vec::new();
-    for (name, value, mark) in marks {
-        match value {
-            Some(value) if value.fract() != 0.0 => {
-                reader.problems.push(given.problem(name, quoted(&value.to_string()), tr("a whole number")));
-            }
+    for (name, value, mark) in marks.into_iter().filter_map(|(name, value, mark)| Some((name, value?, mark))) {
+        if value.fract() == 0.0 {
             // Whole and at most a million, so the conversion is exact.
-            Some(value) => marked.push((name, mark(value as u32))),
-            None => {}
+            marked.push((name, mark(value as u32)));
+        } else {
+            reader.problems.push(given.problem(name, quoted(&value.to_string()), tr("a whole number")));
         }
     }
     marked.extend(row.mark_fuel.map(|value| ("mark_fuel", Mark::Fuel(value))));
@@ -145,13 +137,8 @@ fn awards(row: &SettingsRow, given: &RowCells, reader: &mut RowReader) -> (Award
     marked.sort_by_key(|(name, _)| SETTINGS.iter().position(|setting| setting.name == *name));
     if let [(first, _), more @ ..] = &marked[..] {
         reader.problems.extend(more.iter().map(|(name, _)| {
-            Problem::new(
-                CONSTANTS.name,
-                given.line_of(name),
-                "name",
-                tr!("{name} beside {first}", name, first),
-                tr("one mark a level"),
-            )
+            let found = tr!("{name} beside {first}", name, first);
+            Problem::new(CONSTANTS.name, given.line_of(name), "name", found, tr("one mark a level"))
         }));
     }
     if let (Some(silver), Some(gold)) = (silver, gold)

@@ -1,6 +1,5 @@
-//! Rows as plain structs that serde fills from the `csv` crate's records; the facts of a column stand beside its field.
-//! A row whose cells have found their columns, and the state that all readers of rows share.
-//! A thing of a level with its row.
+//! Rows as plain structs that serde fills from the `csv` crate's records, the facts of a column beside its field; a row whose cells have found their
+//! columns, the state that all readers of rows share, and a thing of a level with its row.
 
 use super::facts::{Column, Holds, RowSchema};
 use crate::files::{Cell, Dialect};

@@ -90,7 +90,7 @@ pub(in crate::level) enum LinkRowEnd {
 
 impl LinkRowEnd {
     pub fn in_metres(self, scale: PixelScale) -> Self {
-        if let Self::Place(place) = self { Self::Place(scale.place(place)) } else { self }
+        if let Self::Place(place) = self { Self::Place(place / scale.metre) } else { self }
     }
 
     /// The name of its object.

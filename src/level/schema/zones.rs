@@ -11,8 +11,7 @@ use crate::{level::schema::typed::FromRow, words::tr};
 
 pub static OBSTACLES: FileSchema =
     FileSchema { name: "obstacles.csv", help: "Death boxes: red that destroys the ship.", sample: "900,660,120,20\n" };
-pub static DEADLY: RowSchema = RowSchema::new(&OBSTACLES, "Death box", DeadlyRow::COLUMNS)
-    .size(120.0, 20.0)
+pub static DEADLY: RowSchema = RowSchema::new(&OBSTACLES, "Death box", DeadlyRow::COLUMNS, (120.0, 20.0))
     .counted(&[Count::always("death box", "death boxes", |level| level.obstacles.len())]);
 
 pub static HAZARDS: FileSchema = FileSchema {
@@ -21,9 +20,8 @@ pub static HAZARDS: FileSchema = FileSchema {
            is shaded.",
     sample: "400,660,80,20,0,-200,0,-400,FALSE,fan\n",
 };
-pub static STREAM: RowSchema = RowSchema::new(&HAZARDS, "Air stream", StreamRow::COLUMNS)
+pub static STREAM: RowSchema = RowSchema::new(&HAZARDS, "Air stream", StreamRow::COLUMNS, (80.0, 20.0))
     .fresh(&[("stream_width", "0"), ("force_x", "0"), ("force_y", "-600")])
-    .size(80.0, 20.0)
     .counted(&[Count::always("air stream", "air streams", |level| level.streams.len())]);
 
 pub static FLUIDS: FileSchema = FileSchema {
@@ -31,9 +29,8 @@ pub static FLUIDS: FileSchema = FileSchema {
     help: "Zones of thick liquid, at most 16 a level, which may touch but not overlap.",
     sample: "0,560,80,120,900,50,120,90,40\n",
 };
-pub static FLUID: RowSchema = RowSchema::new(&FLUIDS, "Liquid", FluidRow::COLUMNS)
+pub static FLUID: RowSchema = RowSchema::new(&FLUIDS, "Liquid", FluidRow::COLUMNS, (200.0, 120.0))
     .fresh(&[("density", "900"), ("viscosity", "20")])
-    .size(200.0, 120.0)
     .counted(&[Count::always("liquid", "liquids", |level| level.fluids.len())]);
 
 pub static TEXTS: FileSchema = FileSchema {
@@ -41,9 +38,8 @@ pub static TEXTS: FileSchema = FileSchema {
     help: "Words in the level, pale where no colour is given. Words with a comma stand in quotes.",
     sample: "100,480,24,\"Space: thrust, arrows: rotate\",230,235,242\n",
 };
-pub static TEXT: RowSchema = RowSchema::new(&TEXTS, "Words", TextRow::COLUMNS)
+pub static TEXT: RowSchema = RowSchema::new(&TEXTS, "Words", TextRow::COLUMNS, (200.0, 24.0))
     .fresh(&[("text", "Words")])
-    .size(200.0, 24.0)
     .counted(&[Count::always("text", "texts", |level| level.texts.len())]);
 
 /// The most hints of a level, and the most letters of one.
@@ -56,23 +52,22 @@ pub static HINTS: FileSchema = FileSchema {
     sample: "",
 };
 pub static HINT: RowSchema =
-    RowSchema::new(&HINTS, "Hint", HintRow::COLUMNS).counted(&[Count::if_any("hint", "hints", |level| level.hints.len())]);
+    RowSchema::new(&HINTS, "Hint", HintRow::COLUMNS, (51.0, 51.0))
+        .counted(&[Count::if_any("hint", "hints", |level| level.hints.len())]);
 
 pub static GRAVITY: FileSchema = FileSchema {
     name: "gravity.csv",
     help: "Zones with a gravity of their own, which adds to that of the level, at most 64 a level. A body that touches one feels it.",
     sample: "860,60,120,200,0,-12\n",
 };
-pub static GRAVITY_ZONE: RowSchema = RowSchema::new(&GRAVITY, "Gravity zone", GravityRow::COLUMNS)
+pub static GRAVITY_ZONE: RowSchema = RowSchema::new(&GRAVITY, "Gravity zone", GravityRow::COLUMNS, (200.0, 120.0))
     .fresh(&[("field_x", "0"), ("field_y", "-20")])
-    .size(200.0, 120.0)
     .counted(&[Count::if_any("gravity zone", "gravity zones", |level| level.fields.len())]);
 
 pub static PODS: FileSchema =
     FileSchema { name: "pods.csv", help: "Fuel that the ship takes up by touching it.", sample: "700,620,30,40,100\n" };
-pub static POD: RowSchema = RowSchema::new(&PODS, "Fuel pod", PodRow::COLUMNS)
+pub static POD: RowSchema = RowSchema::new(&PODS, "Fuel pod", PodRow::COLUMNS, (30.0, 40.0))
     .fresh(&[("fuel", "100")])
-    .size(30.0, 40.0)
     .counted(&[Count::if_any("pod", "pods", |level| level.pods.len())]);
 
 pub static STARS: FileSchema = FileSchema {
@@ -81,8 +76,7 @@ pub static STARS: FileSchema = FileSchema {
     sample: "",
 };
 pub static STAR: RowSchema =
-    RowSchema::new(&STARS, "Star", StarRow::COLUMNS)
-        .size(30.0, 30.0)
+    RowSchema::new(&STARS, "Star", StarRow::COLUMNS, (30.0, 30.0))
         .counted(&[Count::if_any("star", "stars", |level| level.stars.len())]);
 
 pub static DECORATION: FileSchema = FileSchema {
@@ -90,7 +84,7 @@ pub static DECORATION: FileSchema = FileSchema {
     help: "Pictures and plain shapes that nothing touches. One behind lies on rock, and below goals and hazards.",
     sample: "",
 };
-pub static PICTURE: RowSchema = RowSchema::new(&DECORATION, "Picture", DecorationRow::COLUMNS)
+pub static PICTURE: RowSchema = RowSchema::new(&DECORATION, "Picture", DecorationRow::COLUMNS, (51.0, 51.0))
     .fresh(&[("layer", "behind")])
     .counted(&[Count::if_any("decoration", "decorations", |level| level.decoration.len())]);
 
@@ -206,14 +200,10 @@ fn reach_of(row: &StreamRow, record: &RowCells, reader: &mut RowReader) -> Optio
         (0.0, 0.0) => ("stream_width", tr("0 for both stream sizes").to_owned()),
         (across, down) if across == 0.0 || down == 0.0 => {
             let column = if down == 0.0 { "stream_width" } else { "stream_height" };
-            return match reader.scale.size().judge((across + down).abs()) {
-                Ok(()) => Some(DVec2::new(across, down)),
-                Err(expected) => {
-                    let found = quoted(record.text(column)?);
-                    reader.problems.push(record.problem(column, found, tr!("0 or, but for its sign, {expected}", expected)));
-                    None
-                }
-            };
+            let Err(expected) = reader.scale.size().judge((across + down).abs()) else { return Some(DVec2::new(across, down)) };
+            let expected = tr!("0 or, but for its sign, {expected}", expected);
+            reader.problems.push(record.problem(column, quoted(record.text(column)?), expected));
+            return None;
         }
         (across, down) => ("stream_height", tr!("{down} beside a stream_width of {across}", down, across)),
     };
@@ -237,7 +227,6 @@ pub fn text(record: &RowCells, reader: &mut RowReader) -> Option<Text> {
     Some(Text { position: reader.scale.metres(x, y), size: size / reader.scale.metre, text, colour: colour? })
 }
 
-/// The hints in the order of their rows.
 pub fn hints(records: &[RowCells], reader: &mut RowReader) -> Vec<FromRow<String>> {
     let mut hints = Vec::new();
     for record in records {
