@@ -1,9 +1,4 @@
-//! `resultant check [LEVEL…]`: loads levels, and says what is in them or everything that is wrong with them.
-//! `resultant new NAME [--show]` makes a level folder that loads, for an author to change.
-//! `resultant prove LEVEL REPLAY --as PRIZE`: makes a flight the proof of a medal.
-//! `resultant edit LEVEL`: opens the editor.
-//! `resultant pack` and `resultant unpack`: a level as one file, and back.
-//! `resultant import MAP`: a map of the editor Tiled becomes a level; with `--watch` again whenever it is saved.
+//! `resultant check`, `new`, `prove`, `edit`, `pack`, `unpack` and `import`: what makes, judges and hands on levels.
 
 use super::{CommandError, Readers, Status, project::Project, shown};
 use crate::import::{self, ImportedLevel, SourceFile};

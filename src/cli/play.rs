@@ -1,7 +1,4 @@
-//! `resultant` and `resultant play LEVEL`: opens the game.
-//! `resultant jumper`: a climb without a window.
-//! `resultant pi`: counts the collisions of two blocks and a wall.
-//! `resultant tiles`: runs a list of commands through a map of tiles.
+//! `resultant` and `resultant play` open the game; `jumper`, `pi` and `tiles` run the classics without a window.
 
 use super::{CommandError, Status, project::Project};
 use crate::classics::jumper::{Climb, JumpKeys, JumperScene, parse};

@@ -1,6 +1,4 @@
-//! `resultant run`: plays a level without a window.
-//! The telemetry file: state and forces of each object, tick by tick.
-//! The file of forces: each force and impact of each tick, with its source and its point.
+//! `resultant run`: plays a level without a window, and writes the telemetry, state and forces of each object tick by tick, and the file of forces.
 
 use super::files::{CsvOutput, OutputFile, Staged};
 use super::{CommandError, Status, project::Project};

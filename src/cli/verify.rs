@@ -1,5 +1,4 @@
-//! `resultant verify`: flies recorded runs again and compares where they lead.
-//! `resultant verify --scores`: flies the flight of every row of every leaderboard again, and names the rows that do not hold.
+//! `resultant verify`: flies recorded runs, or with `--scores` the flight of every row of every leaderboard, again, and names what does not hold.
 //! `resultant code`: a recorded flight as one line of text, which `resultant verify` and the game's list of flights take.
 
 use super::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, project::Project, shown};

@@ -1,5 +1,4 @@
-//! From frame times to whole ticks (Glenn Fiedler, "Fix Your Timestep!").
-//! From the keys of frames to the controls of ticks.
+//! From frame times to whole ticks (Glenn Fiedler, "Fix Your Timestep!"), and from the keys of frames to the controls of ticks.
 
 pub use crate::level::TICK_RATE;
 use std::ops::RangeInclusive;

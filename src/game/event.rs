@@ -1,6 +1,5 @@
-//! States and events of an attempt.
-//! Names of all that exerts a force in a level: bodies by their numbers in the telemetry, the rest by the rows of the level's files. Files and
-//! players' pages have names of their own, with the same numbers.
+//! States and events of an attempt, and the names of all that exerts a force: bodies by their numbers in the telemetry, the rest by the rows of
+//! the level's files. Files and players' pages have names of their own, with the same numbers.
 
 use super::clock::TICK_RATES;
 #[cfg(doc)]

@@ -1,6 +1,4 @@
-//! The impacts of the last half second of the game, because one tick is too short to read. No rule depends on them.
-//! Touching objectives, pods and death boxes.
-//! The number of times the ship has pushed objects, for a mark of few pushes.
+//! The impacts of the last half second, because one tick is too short to read: no rule depends on them. Touching boxes, and the pushes of objects.
 
 use super::ship::SHIP;
 use crate::level::{SHIP_HALF, sweep_touches};

@@ -1,5 +1,4 @@
-//! A recorded run: inputs and their result. Its file is an inputs file whose comments hold the rest, so that it flies wherever
-//! inputs do.
+//! A recorded run: inputs and their result. Its file is an inputs file whose comments hold the rest, so that it flies wherever inputs do.
 //!
 //! ```text
 //! # program: resultant 1.0.0
@@ -18,8 +17,6 @@
 //!
 //! `hash` is of the last state, `hash 1` of the state after the first second, and so on: they show in which second a flight
 //! departs. A record of a saved score has `player`.
-//!
-//! The comments of a record, `# name: value`: their place and their values.
 
 use super::clock::{Controls, TICK_RATES};
 use super::fingerprint::{LevelHash, hex, level_hash};

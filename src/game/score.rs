@@ -1,6 +1,4 @@
-//! The score of an attempt.
-//! The prizes of a completed flight: bronze for its end, silver and gold for its time, and the level's own mark.
-//! What marks for tricks ask for: burns, stars, and objectives met together.
+//! The score of an attempt; the prizes of a completed flight, and what marks for tricks ask for: burns, stars, and objectives met together.
 
 use super::event::{GameEvent, Outcome};
 use super::impacts::{SHIP_BOX, has_passed};

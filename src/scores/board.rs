@@ -1,7 +1,5 @@
-//! The order of a leaderboard, without files.
-//!
-//! The text of a scores file: `name,score` and any columns behind, to a [`Board`] and back. It reads such a file from people and spreadsheets:
-//! without header, in any order, with blank lines, CRLF, a byte-order mark or spaces. Any other row becomes a line of damage and spoils no other.
+//! A leaderboard, and its text: `name,score` and any columns behind, as people and spreadsheets write it: without header, in any order, with blank
+//! lines, CRLF, a byte-order mark or spaces. Any other row becomes a line of damage and spoils no other.
 
 use super::name::{DamageReport, Name, ScoresError};
 use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, csv_line, whole};

@@ -1,7 +1,5 @@
-//! The folder of the scores files: a leaderboard a level with the flights of its rows, the players' records, and a line an attempt.
-//!
-//! The list of attempts: a line for each finished one, for spreadsheets and people. The game only adds to it, and reads none of its rows. RFC 4180, CRLF,
-//! UTF-8.
+//! The folder of the scores files: a leaderboard a level with the flights of its rows, the players' records, and `attempts.csv`, a line for each
+//! finished attempt, for spreadsheets and people: the game only adds to it, and reads none of its rows. RFC 4180, CRLF, UTF-8.
 
 use super::board::{self, Board, Placement};
 use super::name::{Name, ScoresError};

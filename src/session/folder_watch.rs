@@ -27,7 +27,6 @@ impl Stamp {
         Self(files.into_iter().filter_map(seen).collect())
     }
 
-    /// What is in those files, in short.
     fn content(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
         for (path, ..) in &self.0 {
@@ -43,7 +42,6 @@ fn counts(path: &Path) -> bool {
     !name.starts_with('.') && (name.ends_with(".csv") || name.ends_with(".png"))
 }
 
-/// Watches a level's folder.
 #[derive(Debug)]
 pub struct FolderWatch {
     pub folder: PathBuf,

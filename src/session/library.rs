@@ -1,10 +1,5 @@
-//! The levels on disk, as the screens list them, the tile run's map and commands, and the charts that were measured here.
-//!
-//! A new file in a folder, whole or not at all, that never takes the place of another one.
-//!
-//! An attempt at a level, and its record.
-//!
-//! An experiment of the Lab, as the `experiments.csv` of their folder lists it.
+//! The levels on disk, as the screens list them, the tile run's map and commands, the charts that were measured here, and experiments.
+//! Also a new file in a folder, whole or not at all, that never takes the place of another one, and an attempt at a level with its record.
 
 use super::folder_watch::FolderWatch;
 use crate::classics::tile_run::{Command, Map};
@@ -28,7 +23,6 @@ const NEEDED: usize = 4;
 /// Where `resultant chart` writes, from the project's root.
 const CHARTS: &str = "charts";
 
-/// A level in words.
 pub fn named(name: &str) -> String {
     tr!("level {name}", name)
 }
@@ -36,12 +30,10 @@ pub fn named(name: &str) -> String {
 /// Why a level cannot be played: a line a problem.
 pub type Refusal = Vec<String>;
 
-/// A run of `resultant chart`.
 #[derive(Clone, Debug, Default)]
 pub struct Shown {
     /// Empty where no run could be read.
     pub charts: Charts,
-    /// Whether it came with the game.
     pub kept: bool,
     /// The reason why it is not the player's own run.
     pub problem: Option<String>,
@@ -59,7 +51,6 @@ pub struct Library {
 }
 
 impl Library {
-    /// The levels in `levels`, with images under `root`.
     pub fn new(root: impl Into<PathBuf>, levels: impl Into<PathBuf>) -> Self {
         Self { root: root.into(), levels: levels.into(), outside: None, prepared: None }
     }
@@ -69,22 +60,18 @@ impl Library {
         level::list(&self.levels)
     }
 
-    /// The level after that one in the list.
     pub fn after(&self, name: &str) -> Option<String> {
         self.names().into_iter().skip_while(|other| other != name).nth(1)
     }
 
-    /// The project's folder.
     pub fn root(&self) -> &Path {
         &self.root
     }
 
-    /// The folder of levels.
     pub fn levels(&self) -> &Path {
         &self.levels
     }
 
-    /// The folder of a level.
     pub fn folder(&self, name: &str) -> PathBuf {
         let outside = self.outside.iter().find(|folder| folder.file_name().is_some_and(|own| own.to_string_lossy() == name));
         outside.cloned().unwrap_or_else(|| self.levels.join(name))
@@ -120,10 +107,7 @@ impl Library {
         FolderWatch::new(folder, level.pictures().cloned().collect())
     }
 
-    /// Reads a level.
-    ///
-    /// # Errors
-    /// All its problems, a line each.
+    /// Reads a level. Errors: all its problems, a line each.
     pub fn load(&self, name: &str) -> Result<Arc<Level>, Refusal> {
         let folder = self.folder(name);
         if let Some((_, level)) = self.prepared.as_ref().filter(|(known, _)| *known == folder) {
@@ -135,10 +119,7 @@ impl Library {
         }
     }
 
-    /// The experiments, as the `experiments.csv` of their folder lists them.
-    ///
-    /// # Errors
-    /// The list is missing or damaged.
+    /// The experiments, as the `experiments.csv` of their folder lists them. Errors: the list is missing or damaged.
     pub fn experiments(&self) -> Result<Vec<Experiment>, String> {
         let folder = self.root.join(EXPERIMENTS);
         let list = format!("{EXPERIMENTS}/experiments.csv");
@@ -165,15 +146,11 @@ impl Library {
         file.rows(text.as_bytes()).filter(|row| !row.is_header(NEEDED)).map(experiment).collect()
     }
 
-    /// The folder of an experiment.
     pub fn experiment(&self, name: &str) -> PathBuf {
         self.root.join(EXPERIMENTS).join(name)
     }
 
-    /// The map of the tile run and the commands to watch, from `assets/tile_run/`.
-    ///
-    /// # Errors
-    /// The first problem, with file and line.
+    /// The map of the tile run and the commands to watch, from `assets/tile_run/`. Errors: the first problem, with file and line.
     pub fn tile_run(&self) -> Result<(Map, Vec<Command>), String> {
         let folder = self.root.join(TILE_RUN);
         Ok((
@@ -225,10 +202,8 @@ pub fn hand_out(path: &Path) {
 #[cfg(not(all(feature = "window", browser)))]
 pub const fn hand_out(_: &Path) {}
 
-/// The most files of one name.
 const MOST_OF_A_NAME: u32 = 10_000;
 
-/// A file that is to be.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NewFile {
     /// Its name up to a number, which it gets where there is one already.
@@ -244,9 +219,7 @@ pub struct NewFile {
 
 impl NewFile {
     /// Writes it into a folder, which is made where there is none; the answer is where.
-    ///
-    /// # Errors
-    /// Whatever the system refuses, with the place. Nothing is left behind then.
+    /// Errors: whatever the system refuses, with the place. Nothing is left behind then.
     pub fn write(&self, folder: &Path) -> Result<PathBuf, String> {
         if let Some(path) = self.handed_out(folder) {
             return Ok(path);
@@ -295,13 +268,11 @@ pub struct Attempt {
 }
 
 impl Attempt {
-    /// A flight by hand, alone.
     pub const fn by_hand(level: Arc<Level>) -> Self {
         Self { level, inputs: None, rivals: Vec::new() }
     }
 }
 
-/// A flight by hand that is over.
 #[derive(Clone, Debug)]
 pub struct Flown {
     pub level: Arc<Level>,

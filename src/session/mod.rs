@@ -19,10 +19,8 @@ use std::path::PathBuf;
 use std::rc::Rc;
 use worker::{Brought, Errand, Worker};
 
-/// What is said of a flight that was watched.
 const RECORDING: &str = "A recording: what was not flown by hand is not saved.";
 
-/// A score on its way to its leaderboard.
 #[derive(Clone, Debug)]
 pub struct Gain {
     /// The leaderboard: that of a level, by its name, or that of the jumper.
@@ -34,7 +32,6 @@ pub struct Gain {
     pub flown: Option<Rc<Flown>>,
 }
 
-/// Where the game's files are.
 #[derive(Clone, Debug)]
 pub struct Places {
     /// Where image paths in level files start from.
@@ -76,7 +73,6 @@ pub struct Session {
 }
 
 impl Session {
-    /// The last player's.
     pub fn new(places: Places, worker: Worker) -> Self {
         let scores = Scores::new(&places.scores);
         let settings_file = SettingsFile::new(&places.settings);
@@ -106,7 +102,6 @@ impl Session {
         }
     }
 
-    /// Takes new settings over and saves them.
     pub fn set(&mut self, settings: Settings) {
         self.settings = settings;
         words::speak(settings.spoken());
@@ -129,7 +124,6 @@ impl Session {
         self.settings_problems.extend(closed.err().map(|error| error.to_string()));
     }
 
-    /// The reading of a level, by its name.
     pub fn level_errand(&self, name: &str) -> Errand {
         Errand::Level(self.library.folder(name), self.library.root().to_path_buf())
     }
@@ -160,9 +154,7 @@ impl Session {
     }
 
     /// Saves a score under the player's name; what is to be said of it. What cannot be saved, or is a guest's, waits.
-    ///
-    /// # Errors
-    /// Why it cannot be saved yet, in words.
+    /// Errors: why it cannot be saved yet, in words.
     pub fn save(&mut self, gain: Gain) -> Result<Option<String>, String> {
         let name = self.journal.current().clone();
         let saved = if name.is_guest() { Ok(None) } else { write_score(&self.scores, &name, &gain) };

@@ -35,7 +35,6 @@ pub enum Errand {
     First(Vec<PathBuf>, PathBuf, Option<PathBuf>),
 }
 
-/// What a card shows of a level.
 #[derive(Clone, Debug)]
 pub struct Card {
     pub folder: PathBuf,
@@ -47,7 +46,6 @@ pub struct Card {
     pub proven: Option<Vec<&'static str>>,
 }
 
-/// What has come of an errand.
 #[derive(Debug)]
 pub enum Brought {
     /// Of [`Errand::Level`], with its folder.
@@ -94,17 +92,14 @@ impl Errand {
     }
 }
 
-/// By which an errand is known.
 pub type Ticket = u64;
 
-/// Errands that wait, and what has come of others.
 #[derive(Debug)]
 pub struct Worker {
     last: Ticket,
     at: At,
 }
 
-/// Where errands are done.
 #[derive(Debug)]
 enum At {
     /// On the screen's thread: the given number of errands, or without a number each as it is asked for.
@@ -113,7 +108,6 @@ enum At {
     Beside(Arc<Desk>, Receiver<(Ticket, Brought)>),
 }
 
-/// What the thread waits for.
 #[derive(Debug, Default)]
 struct Desk {
     waiting: Mutex<Waiting>,
@@ -192,7 +186,6 @@ impl Worker {
         self.last
     }
 
-    /// Forgets an errand that has not been begun.
     pub fn forget(&mut self, ticket: Ticket) {
         let keep = |errands: &mut VecDeque<(Ticket, Errand)>| errands.retain(|(other, _)| *other != ticket);
         match &mut self.at {
@@ -233,7 +226,6 @@ impl Drop for Worker {
     }
 }
 
-/// Does errands until nobody asks any more.
 fn work(desk: &Desk, to: &Sender<(Ticket, Brought)>) {
     while let Some((ticket, errand)) = desk.next() {
         if to.send((ticket, errand.run())).is_err() {

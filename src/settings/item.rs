@@ -88,7 +88,6 @@ items! {
 }
 
 impl Item {
-    /// As the list shows it.
     pub fn value(self, settings: &Settings) -> String {
         match self.values() {
             Values::Percent { .. } => format!("{} %", self.get(settings)),
@@ -97,7 +96,6 @@ impl Item {
         }
     }
 
-    /// As the file holds it.
     pub fn written(self, settings: &Settings) -> String {
         let place = self.get(settings);
         match self.values() {
@@ -178,10 +176,8 @@ impl Item {
     }
 }
 
-/// Colours with a meaning.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Palette {
-    /// Of the art direction.
     #[default]
     Standard,
     /// Distinct in the three common kinds of colour blindness.
@@ -230,19 +226,16 @@ pub struct Settings {
     pub scale: u8,
     /// Of the screen at a hit: 0 … 100.
     pub shake: u8,
-    /// At hits and deaths.
     pub flash: bool,
     /// The share that is drawn: 0 … 100.
     pub particles: u8,
     pub palette: Palette,
     pub timer: bool,
-    /// The arrow at the ship.
     pub velocity: bool,
     pub assists: Assists,
 }
 
 impl Settings {
-    /// The language that the screens speak.
     pub fn spoken(&self) -> Language {
         self.language.unwrap_or_else(Language::of_system)
     }

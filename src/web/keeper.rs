@@ -1,5 +1,4 @@
-//! The browser's storage of a page, and the files that the page holds only while it is open.
-//! Everything that the browser keeps for the page, as a file of the player's and back.
+//! The browser's storage of a page, the files that the page holds while it is open, and all that is kept as one file of the player's and back.
 
 use super::{DROPPED, PageWord, download, resultant_get, resultant_keys, resultant_remove, resultant_set, say, taken};
 use crate::files::{self, AboveShipped, Keeper, KeepingFault, PageFiles};

@@ -48,7 +48,6 @@ const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(150);
 const PRESSED: f32 = 0.5;
 const RELEASED: f32 = 0.35;
 
-/// What the window opens with.
 #[derive(Clone, Debug)]
 pub enum Start {
     /// An attempt at the level in that folder.
@@ -60,9 +59,7 @@ pub enum Start {
 }
 
 /// Opens the window, in a level where one is given, and returns when it is closed.
-///
-/// # Errors
-/// There is no display, or what the window needs cannot be had; in words.
+/// Errors: there is no display, or what the window needs cannot be had; in words.
 pub fn open(places: Places, start: Option<Start>) -> Result<(), String> {
     #[cfg(all(target_os = "linux", target_pointer_width = "64"))]
     system_date::keep();

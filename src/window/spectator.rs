@@ -20,7 +20,6 @@ const HUSHED: f32 = 0.05;
 const COST_WEIGHT: f64 = 0.02;
 const FRAME_WEIGHT: f64 = 0.1;
 
-/// Draws the screen: its game, and its widgets above that.
 pub fn draw(stack: &Stack, spectator: &mut WindowSpectator, frame_time: f64, canvas: &mut Canvas) {
     if let Some(scene) = stack.scene(canvas.frame()) {
         spectator.draw_scene(scene, *stack.settings(), frame_time, canvas);
@@ -38,7 +37,6 @@ pub fn draw(stack: &Stack, spectator: &mut WindowSpectator, frame_time: f64, can
     }
 }
 
-/// What is loading, above the screen that waits for it.
 fn draw_loading(what: &str, canvas: &Canvas) {
     widgets::curtain(canvas, 0.6);
     let (middle, size) = (canvas.size() / 2.0, Vec2::new(560.0, 120.0));
@@ -108,12 +106,10 @@ impl WindowSpectator {
         canvas.use_frame(whole);
     }
 
-    /// Takes note of how long a frame took, s.
     pub fn note_frame(&mut self, frame_time: f64) {
         self.frame_cost += (frame_time - self.frame_cost) * FRAME_WEIGHT;
     }
 
-    /// Takes the volumes over that the player has set.
     pub fn set_volumes(&mut self, settings: &Settings) {
         let [master, effects, music] =
             [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
@@ -147,7 +143,6 @@ impl WindowSpectator {
     }
 }
 
-/// What something in the classics sounds like.
 fn heard_as(noise: Noise) -> Sound {
     match noise {
         Noise::Jump => Sound::new(Cue::Jump, 0.5),
