@@ -174,8 +174,7 @@ pub struct EditArgs {
 /// Returns when the window is closed. Errors: no such level; no display.
 #[cfg(feature = "window")]
 pub fn edit_level(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
-    use crate::screens::Editor;
-    use crate::window::Start;
+    use crate::{screens::Editor, window::Start};
     let folder = project.level_folder(&args.level)?;
     // A level that does not open is refused before a window opens.
     let name = Editor::open(&folder, project.root()).map_err(CommandError::Refused)?.name().to_owned();

@@ -25,16 +25,9 @@ pub use window::{run, show};
 mod window {
     use super::{PlayArgs, Project};
     use crate::cli::{CommandError, Status, shown};
-    use crate::files::INPUTS;
-    use crate::game::Inputs;
-    use crate::level;
-    use crate::screens::Places;
-    use crate::session::library::Attempt;
     use crate::window::{Start, open};
-    use std::ffi::OsStr;
-    use std::io::Write;
-    use std::path::Path;
-    use std::sync::Arc;
+    use crate::{files::INPUTS, game::Inputs, level, screens::Places, session::library::Attempt};
+    use std::{ffi::OsStr, io::Write, path::Path, sync::Arc};
 
     /// Returns when the window is closed. Errors: a refused level or inputs; a missing folder of levels; no display.
     pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {

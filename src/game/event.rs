@@ -37,20 +37,15 @@ impl Outcome {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum GameEvent {
-    /// At least [`DUST_SPEED`].
+    /// At least [`DUST_SPEED`], m/s along the normal, which points away from the other body or surface; the point in m.
     Impact {
-        /// m.
         point: DVec2,
-        /// m/s along the normal.
         speed: f64,
-        /// Away from the other body or surface.
         normal: DVec2,
     },
-    /// A hit of the ship at [`DAMAGING_SPEED`] or more: −500 points.
+    /// A hit of the ship at [`DAMAGING_SPEED`] or more, m/s along the normal: −500 points.
     DamagingHit {
-        /// m.
         point: DVec2,
-        /// m/s along the normal.
         speed: f64,
     },
     /// By index in `Level::objectives`.
@@ -69,9 +64,8 @@ pub enum GameEvent {
     /// By index in `Level::links`: its ends have touched, and it acts from now on.
     Hooked(usize),
     Completed,
-    /// A body begins to be squeezed.
+    /// A body, with its centre there, m, begins to be squeezed.
     Crushed {
-        /// The body's centre, m.
         point: DVec2,
     },
     Died,

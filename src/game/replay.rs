@@ -57,17 +57,10 @@ pub enum Mismatch {
     RunsOn(u64, u64),
     /// The first second that departs, from 1, with the hashes after it. The rest was not flown.
     Second(usize, u64, u64),
-    /// The same state, but another end than the written one.
-    Result {
-        outcome: (Outcome, Outcome),
-        /// Thousandths of a second.
-        time: (u64, u64),
-    },
-    End {
-        score: (i64, i64),
-        /// The hash of the last state.
-        hash: (u64, u64),
-    },
+    /// The same state, but another end than the written one; the time in thousandths of a second.
+    Result { outcome: (Outcome, Outcome), time: (u64, u64) },
+    /// Of the hash of the last state, too.
+    End { score: (i64, i64), hash: (u64, u64) },
 }
 
 impl fmt::Display for Mismatch {
@@ -178,22 +171,13 @@ impl Replay {
         let seconds = notes.seconds();
         let mut problems = notes.problems;
         let inputs = Inputs::parse(file, text).map_err(|BadFile(found)| problems.extend(found)).ok();
-        match (program, level, level_hash, tick_rate, outcome, time, score, hash, inputs) {
-            (
-                Some(program),
-                Some(level),
-                Some(level_hash),
-                Some(tick_rate),
-                Some(outcome),
-                Some(time),
-                Some(score),
-                Some(hash),
-                Some(inputs),
-            ) if problems.is_empty() => {
-                Ok(Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs })
-            }
-            _ => Err(BadFile(problems)),
-        }
+        let read = || Some(((program?, level?, level_hash?, tick_rate?), (outcome?, time?, score?, hash?, inputs?)));
+        let Some(((program, level, level_hash, tick_rate), (outcome, time, score, hash, inputs))) =
+            read().filter(|_| problems.is_empty())
+        else {
+            return Err(BadFile(problems));
+        };
+        Ok(Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs })
     }
 
     /// The mismatch of keys that go on beyond the record's own time, which needs no flight. That time begins with the first key.

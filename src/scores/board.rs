@@ -27,23 +27,12 @@ pub struct Board {
     rows: Vec<BoardRow>,
 }
 
-/// Ranks count from 1.
+/// Ranks count from 1. A higher score takes the place of the user's best, `from`; a best that is as high or higher stays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Placement {
-    New {
-        rank: usize,
-    },
-    /// A higher score in place of the user's best.
-    Raised {
-        rank: usize,
-        /// The score before.
-        from: i64,
-    },
-    /// The user's best is as high or higher and stays.
-    Kept {
-        rank: usize,
-        best: i64,
-    },
+    New { rank: usize },
+    Raised { rank: usize, from: i64 },
+    Kept { rank: usize, best: i64 },
 }
 
 impl Placement {

@@ -112,15 +112,8 @@ impl PlayerRecord {
 pub enum Deed {
     /// Chosen, or made.
     Chosen(Name),
-    /// Completed a level.
-    Done {
-        player: Name,
-        level: String,
-        /// s, from 0, finite; `None` for a flight with help, whose time does not count.
-        time: Option<f64>,
-        /// Bronze at least.
-        medals: Medals,
-    },
+    /// Completed a level, in a time in s, from 0, finite, `None` for a flight with help, whose time does not count; with bronze at least.
+    Done { player: Name, level: String, time: Option<f64>, medals: Medals },
 }
 
 /// The player chosen last comes first.

@@ -5,13 +5,11 @@ use super::folder_watch::FolderWatch;
 use crate::classics::tile_run::{Command, Map};
 use crate::files::{self, CHART, CsvFile, CsvRow, EXPERIMENTS, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::game::{History, Inputs, Replay};
-use crate::instruments::reading::Wanted;
 use crate::lab::{charts::Charts, kept};
 use crate::level::{self, Landscape, Level};
-use crate::words::tr;
-use std::io;
+use crate::{instruments::reading::Wanted, words::tr};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::{io, sync::Arc};
 
 /// Where the tile run's `map.txt` and `commands.txt` are, from the project's root.
 const TILE_RUN: &str = "assets/tile_run";

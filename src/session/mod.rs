@@ -14,9 +14,7 @@ use crate::ui::input::Clipboard;
 use crate::words::{self, tr};
 use journal::{Answers, Journal};
 use library::{Flown, Library};
-use std::collections::BTreeMap;
-use std::path::PathBuf;
-use std::rc::Rc;
+use std::{collections::BTreeMap, path::PathBuf, rc::Rc};
 use worker::{Brought, Errand, Worker};
 
 const RECORDING: &str = "A recording: what was not flown by hand is not saved.";

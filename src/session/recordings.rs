@@ -6,8 +6,7 @@ use crate::scores::{Board, Name, Scores};
 use crate::session::library::{Attempt, Flown, NewFile, Rival};
 use crate::{level::Level, pack, session::Session, words::tr};
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
-use std::sync::Arc;
+use std::{rc::Rc, sync::Arc};
 
 #[derive(Clone, Debug)]
 pub struct Visit {

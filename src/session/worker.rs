@@ -1,22 +1,16 @@
 //! The worker beside the screens: it reads and judges levels, one errand after the other, so that no frame waits for a disk or a large
 //! level. A test steps it by hand.
 
-use crate::draw::Image;
-use crate::game::Reel;
-use crate::import;
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, Awards, Level};
-use crate::pack::Installed;
-use crate::session::folder_watch::Stamp;
-use crate::session::library::Refusal;
-use crate::session::recordings;
-use crate::view::painting;
 use crate::words::{self, Language};
-use std::collections::VecDeque;
-use std::path::PathBuf;
+use crate::{draw::Image, game::Reel};
+use crate::{
+    import, pack::Installed, session::folder_watch::Stamp, session::library::Refusal, session::recordings, view::painting,
+};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::thread;
+use std::{collections::VecDeque, path::PathBuf, thread};
 
 /// What is to be read, with all that it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]

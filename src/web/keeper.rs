@@ -3,9 +3,8 @@
 use super::{DROPPED, PageWord, download, resultant_get, resultant_keys, resultant_remove, resultant_set, say, taken};
 use crate::files::{self, AboveShipped, Keeper, KeepingFault, PageFiles};
 use crate::pack;
-use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::{collections::BTreeMap, path::Path};
 
 static STORAGE: LazyLock<AboveShipped<PageFiles<PageStorage>>> =
     LazyLock::new(|| AboveShipped::new(PageFiles(PageStorage), Path::new("")));

@@ -6,15 +6,11 @@
 #![allow(unsafe_code)]
 
 use crate::files::{self, SHIPPED};
-use crate::game::Replay;
-use crate::words::tr;
-use crate::{level, pack};
+use crate::{game::Replay, level, pack, words::tr};
 use macroquad::window::next_frame;
 use std::cell::{Cell, RefCell};
-use std::ops::Sub;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::Duration;
+use std::{ops::Sub, sync::Arc, time::Duration};
 
 mod keeper;
 mod keys;

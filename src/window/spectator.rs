@@ -1,18 +1,14 @@
 //! What a window has besides the screens: the view of the game that is flown, and sound.
 
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
 use crate::game::{Game, Outcome};
-use crate::level;
 use crate::physics::{BodyId, DVec2};
 use crate::screens::{GameScene, Noise, Screen, Stack};
-use crate::settings::Settings;
 use crate::sound::{Ambience, Arrangement, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::ui::input::{ButtonAnswer, Input};
 use crate::ui::{Spectator, pace};
 use crate::view::{GameView, Overlays, theme, widgets};
-use crate::window::host::Instant;
-use crate::words::tr;
+use crate::{draw::Canvas, level, settings::Settings, window::host::Instant, words::tr};
 
 /// Volume of the music during a loss; at 0 the tune would begin again.
 const HUSHED: f32 = 0.05;
