@@ -156,10 +156,8 @@ pub struct PiArgs {
 /// Errors: a step that is not above 0 and finite, or too small.
 pub fn count_pi(args: &PiArgs, _: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let started = Instant::now();
-    let stepped = match args.dt {
-        Some(dt) => Some(step_through(args.n, dt, args.substeps).map_err(|problem| CommandError::Refused(format!("--{problem}")))?),
-        None => None,
-    };
+    let stepped = args.dt.map(|dt| step_through(args.n, dt, args.substeps)).transpose();
+    let stepped = stepped.map_err(|problem| CommandError::Refused(format!("--{problem}")))?;
     let stepped_seconds = started.elapsed().as_secs_f64();
 
     let started = Instant::now();

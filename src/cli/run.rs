@@ -71,12 +71,10 @@ fn parse_tick_rate(text: &str) -> Result<f64, String> {
 /// input; nothing was run then.
 pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let level = project.load_level(&args.level)?;
-    let inputs = match &args.inputs {
-        Some(path) => {
-            Some(Inputs::parse(&path.display().to_string(), &project.read_text(path, INPUTS)?).map_err(CommandError::refused)?)
-        }
-        None => None,
+    let parsed = |path: &PathBuf| {
+        Inputs::parse(&path.display().to_string(), &project.read_text(path, INPUTS)?).map_err(CommandError::refused)
     };
+    let inputs = args.inputs.as_ref().map(parsed).transpose()?;
     let last = last_tick(args, inputs.as_ref())?;
     let folder = project.level_folder(&args.level)?;
     // Also a background that is not there yet.
@@ -146,20 +144,12 @@ fn fly(game: &mut Game, inputs: Inputs, last: u64, tables: &mut Tables) -> io::R
 
 fn print(game: &Game, out: &mut dyn Write) -> io::Result<()> {
     let result = game.result();
-    writeln!(out, "outcome={}", result.outcome.name())?;
-    writeln!(out, "time={}", Shortest(result.time))?;
-    writeln!(out, "score={}", result.score.total)?;
-    writeln!(out, "objectives={}/{}", result.objectives_met, result.objectives_all)?;
-    writeln!(out, "collisions={}", result.collisions)?;
-    writeln!(out, "fuel={}", Shortest(result.fuel))?;
-    writeln!(out, "ticks={}", game.ticks())?;
-    writeln!(out, "hash={:016x}", game.hash())?;
+    writeln!(out, "outcome={}\ntime={}\nscore={}", result.outcome.name(), Shortest(result.time), result.score.total)?;
+    writeln!(out, "objectives={}/{}\ncollisions={}", result.objectives_met, result.objectives_all, result.collisions)?;
+    writeln!(out, "fuel={}\nticks={}\nhash={:016x}", Shortest(result.fuel), game.ticks(), game.hash())?;
     let place = game.world().body(SHIP).position;
     writeln!(out, "x={}\ny={}", Shortest(place.x), Shortest(place.y))?;
-    match game.killed_by() {
-        Some(death) => writeln!(out, "killed_by={}", death.name(game.level())),
-        None => Ok(()),
-    }
+    game.killed_by().map_or(Ok(()), |death| writeln!(out, "killed_by={}", death.name(game.level())))
 }
 
 pub fn header() -> String {

@@ -108,10 +108,7 @@ pub fn verify_scores(project: &Project, out: &mut dyn Write) -> Result<Status, C
     let scores = Scores::new(project.scores());
     let mut err = Readers::of(io::stderr().lock());
     let mut status = Status::Done;
-    for name in scores.boards() {
-        if name == LEADERBOARD {
-            continue;
-        }
+    for name in scores.boards().into_iter().filter(|name| name != LEADERBOARD) {
         if !judge_board(project, &scores, &name, (out, &mut err))? {
             status = Status::Wrong;
         }

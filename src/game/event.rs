@@ -11,9 +11,7 @@ use crate::words::tr;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     Running,
-    /// All objectives are met at once.
     Completed,
-    /// The ship touched a death box, or a surface squeezed it.
     Failed,
 }
 

@@ -263,7 +263,6 @@ const MOVED: f64 = 1e-3;
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum DryRun {
-    /// The level waits for its pilot.
     Waits,
     /// After that time, s.
     Won(f64),
@@ -294,7 +293,6 @@ impl DryRun {
     }
 }
 
-/// Whether some keys lead the ship elsewhere than none.
 fn obeys(game: &Game) -> bool {
     let with = |thrust, reverse, left, right| Controls { thrust, reverse, left, right };
     let keys = [

@@ -18,7 +18,6 @@ pub const READABLE: f64 = 0.5;
 /// The most impacts in memory. With fewer, impacts of a large crowd go too soon.
 const MOST: usize = 8192;
 
-/// The impact of a body or surface on a body in one tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Felt {
     pub tick: u64,

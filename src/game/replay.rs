@@ -59,7 +59,7 @@ pub enum Mismatch {
     Second(usize, u64, u64),
     /// The same state, but another end than the written one; the time in thousandths of a second.
     Result { outcome: (Outcome, Outcome), time: (u64, u64) },
-    /// Of the hash of the last state, too.
+    /// The hash is of the last state.
     End { score: (i64, i64), hash: (u64, u64) },
 }
 
@@ -104,7 +104,6 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Takes up the tick just made with these controls.
     pub fn note(&mut self, game: &Game, controls: Controls) {
         self.inputs.record(controls);
         if self.seconds.len() < MOST_SECONDS && ended_second(game).is_some() {

@@ -77,13 +77,11 @@ pub struct RunResult {
     /// Touches of one object less than half a second apart are one.
     pub pushes: u32,
     pub burns: u32,
-    /// Stars that nothing has touched.
     pub stars_left: usize,
     /// The shortest time within which as many objectives were met as the level's mark asks for, s; 0 where it asks for none.
     pub together: f64,
     /// Fraction of the fuel left, 0 … 1; 0 where the level gives none.
     pub fuel: f64,
-    /// Fuel units used.
     pub fuel_used: f64,
     /// Length of the ship's path, m.
     pub distance: f64,
@@ -98,7 +96,6 @@ pub struct RunResult {
     pub score: ScoreParts,
 }
 
-/// The better one is greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Medal {

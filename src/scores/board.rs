@@ -35,14 +35,6 @@ pub enum Placement {
     Kept { rank: usize, best: i64 },
 }
 
-impl Placement {
-    pub fn rank(self) -> usize {
-        match self {
-            Self::New { rank } | Self::Raised { rank, .. } | Self::Kept { rank, .. } => rank,
-        }
-    }
-}
-
 impl Board {
     /// The rows hold a name once each, the older one of equal scores first. `more_columns` names the columns behind `name` and `score`.
     pub(super) fn new(more_columns: Vec<String>, mut rows: Vec<BoardRow>) -> Self {
@@ -276,7 +268,7 @@ mod tests {
             assert!(matches!(board.place(&name("b"), score), Err(ScoresError::NoScore)));
         }
         assert_eq!(shown(&board), [("a", 20)]);
-        assert_eq!(board.place(&name("b"), 1).unwrap().rank(), 2);
+        assert_eq!(board.place(&name("b"), 1).unwrap(), Placement::New { rank: 2 });
     }
 
     #[test]

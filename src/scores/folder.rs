@@ -11,7 +11,6 @@ use std::path::{Path, PathBuf};
 
 const PLAYERS: &str = "players.csv";
 const ATTEMPTS: &str = "attempts.csv";
-/// Each level has a folder in it.
 const FLIGHTS: &str = "flights";
 const ENDING: &str = ".replay.csv";
 
@@ -23,7 +22,6 @@ pub struct Scores {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadedBoard {
     pub board: Board,
-    /// The unreadable places.
     pub damage: Vec<String>,
 }
 
@@ -31,7 +29,6 @@ pub struct LoadedBoard {
 pub struct Score<'a> {
     pub name: &'a Name,
     pub points: i64,
-    /// The proof of the row.
     pub flight: Option<&'a Replay>,
 }
 
@@ -136,7 +133,6 @@ impl Scores {
         })
     }
 
-    /// Adds attempts.
     pub fn append(&self, attempts: &[AttemptRow]) -> Result<(), ScoresError> {
         let lines: String = attempts.iter().map(line).collect();
         append(&self.folder.join(ATTEMPTS), HEADER, &lines)

@@ -9,7 +9,6 @@ use std::time::SystemTime;
 /// From one look to the next, s. A change counts when two looks have found the same: an editor may be writing still.
 const EVERY: f64 = 0.1;
 
-/// The files of a folder from the outside: names, sizes, times.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Stamp(Vec<(PathBuf, u64, (Option<SystemTime>, u64))>);
 
@@ -50,7 +49,6 @@ pub struct FolderWatch {
     /// As it was when it was read.
     known: Stamp,
     content: u64,
-    /// As it was at the last look.
     last: Stamp,
     /// Until the next look, s.
     wait: f64,

@@ -15,7 +15,6 @@ pub struct Journal {
     scores: Scores,
     players: Players,
     current: Name,
-    /// What is not on disk yet.
     deeds: Vec<Deed>,
     attempts: Vec<AttemptRow>,
     /// The deeds of this sitting before the player had a name.
@@ -171,7 +170,6 @@ pub struct Answers {
     results: Results,
     /// The sheets of experiments as they were left, by folder.
     pub sheets: BTreeMap<String, Worksheet>,
-    /// What cannot be written.
     unsaved: Vec<ResultRow>,
 }
 
@@ -243,7 +241,6 @@ pub struct Worksheet {
     pub begun: bool,
     /// Whether the answer is shown: the readings stay as they are then.
     pub answered: bool,
-    /// What was saved last, and before that.
     saved: [WrittenSheet; 2],
     /// The outcome of the last press; an error is a problem.
     pub message: Result<String, String>,
@@ -265,7 +262,6 @@ impl Worksheet {
         }
     }
 
-    /// Whether a prediction can still be made or changed.
     pub const fn predicts(&self) -> bool {
         self.predicted.is_none() && !self.begun
     }
@@ -277,7 +273,6 @@ impl Worksheet {
         }
     }
 
-    /// What became of the rows that were to be saved.
     pub fn set_message(&mut self, message: Result<String, String>) {
         if message.is_err() {
             self.saved[0] = self.saved[1].clone();

@@ -33,7 +33,6 @@ pub struct Shown {
     /// Empty where no run could be read.
     pub charts: Charts,
     pub kept: bool,
-    /// The reason why it is not the player's own run.
     pub problem: Option<String>,
 }
 
@@ -111,10 +110,7 @@ impl Library {
         if let Some((_, level)) = self.prepared.as_ref().filter(|(known, _)| *known == folder) {
             return level.clone();
         }
-        match level::load(&folder, &self.root) {
-            Ok(loaded) => Ok(Arc::new(loaded.level)),
-            Err(problems) => Err(level::listed(&problems)),
-        }
+        load(&folder, &self.root)
     }
 
     /// The experiments, as the `experiments.csv` of their folder lists them. Errors: the list is missing or damaged.
@@ -178,11 +174,15 @@ fn read<T>(path: PathBuf, at_most: u64, parse: impl Fn(&str) -> Result<T, String
     parse(&text).map_err(|error| format!("{}:{error}", path.display()))
 }
 
+/// As [`Library::load`].
+pub fn load(folder: &Path, root: &Path) -> Result<Arc<Level>, Refusal> {
+    level::load(folder, root).map(|loaded| Arc::new(loaded.level)).map_err(|problems| level::listed(&problems))
+}
+
 fn text(folder: &Path, file: &str) -> Result<String, String> {
     read_text(&folder.join(file), CHART).map_err(|error| format!("{file}: {error}"))
 }
 
-/// Whether that is a folder, or a file as levels have them.
 pub fn is_of_level(path: &Path) -> bool {
     files::is_folder(path)
         || path.extension().is_some_and(|ending| ["csv", "png"].iter().any(|own| ending.eq_ignore_ascii_case(own)))
@@ -255,13 +255,11 @@ impl NewFile {
     }
 }
 
-/// A level, and the inputs that replace the keys, if any.
 #[derive(Clone, Debug)]
 pub struct Attempt {
     pub level: Arc<Level>,
     /// Recorded inputs, played from the first tick on.
     pub inputs: Option<Arc<Inputs>>,
-    /// Recorded flights that fly along as ghosts.
     pub rivals: Vec<Rival>,
 }
 
@@ -278,7 +276,6 @@ pub struct Flown {
     pub history: History,
 }
 
-/// A recorded flight that flies along.
 #[derive(Clone, Debug)]
 pub struct Rival {
     /// Whose it is, in a word or two.
@@ -309,7 +306,6 @@ impl Experiment {
         self.predicted()?.judge(text)
     }
 
-    /// The number that is to be predicted, where one is.
     pub fn predicted(&self) -> Option<Wanted> {
         if self.choices.is_empty() { Wanted::new(&self.question, &self.right) } else { None }
     }

@@ -23,10 +23,8 @@ const RECORDING: &str = "A recording: what was not flown by hand is not saved.";
 pub struct Gain {
     /// The leaderboard: that of a level, by its name, or that of the jumper.
     pub board: String,
-    /// What it is of, in words.
     pub subject: String,
     pub points: i64,
-    /// How they were flown, where that is known.
     pub flown: Option<Rc<Flown>>,
 }
 
@@ -126,7 +124,6 @@ impl Session {
         Errand::Level(self.library.folder(name), self.library.root().to_path_buf())
     }
 
-    /// Holds ready what the worker has read, for the screen that opens.
     pub fn prepare(&mut self, brought: Brought) {
         match brought {
             Brought::Level(folder, level) => self.library.prepared = Some((folder, level)),
@@ -134,7 +131,6 @@ impl Session {
         }
     }
 
-    /// Every file is read again.
     pub fn forget_prepared(&mut self) {
         (self.library.prepared, self.brought) = (None, None);
     }
@@ -195,7 +191,6 @@ impl Session {
     }
 }
 
-/// What is to be said of a score that is saved besides its row.
 fn write_score(scores: &Scores, name: &Name, gain: &Gain) -> Result<Option<String>, String> {
     let score = Score { name, points: gain.points, flight: gain.flown.as_ref().map(|flown| &flown.replay) };
     let Saved { placement, .. } = scores.save_with_flight(&gain.board, score).map_err(|error| error.to_string())?;

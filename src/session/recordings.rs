@@ -12,7 +12,6 @@ use std::{rc::Rc, sync::Arc};
 pub struct Visit {
     /// The level's folder name.
     pub level: String,
-    /// What was just flown there.
     pub flown: Option<Rc<Flown>>,
     /// The file of the board's flight that is looked for.
     pub chosen: Option<String>,
@@ -28,9 +27,7 @@ impl Visit {
 pub enum FlightSource {
     Flown,
     Level(PathBuf),
-    /// A row of the board names its file.
     Row(String),
-    /// A code that a player pasted.
     Code(String),
 }
 
@@ -38,9 +35,8 @@ pub enum FlightSource {
 pub struct FlightCandidate {
     pub name: String,
     pub about: String,
-    /// What it came to, where that is known.
     pub score: Option<i64>,
-    /// How long it took, s, where that is known.
+    /// s.
     pub time: Option<f64>,
     pub source: FlightSource,
 }
@@ -117,7 +113,6 @@ pub fn rivals(folder: &Path, level: &Level) -> Vec<BoardRival> {
     OWN.iter().filter_map(rival).collect()
 }
 
-/// The level's own flight for gold, from its start.
 pub fn gold(folder: &Path, level: Arc<Level>) -> Option<Reel> {
     let replay = for_gold(folder, &level)?;
     Reel::new(level, &replay.inputs, replay.tick_rate).ok()
@@ -200,7 +195,6 @@ impl Session {
         Ok(Attempt { rivals, ..Attempt::by_hand(level) })
     }
 
-    /// Keeps a flight as a file, and says where.
     pub fn keep_flight(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
         let replay = self.named_record(visit, candidate)?;
         let whose: String = candidate.name.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
@@ -211,7 +205,6 @@ impl Session {
         Ok(tr!("Kept as {path}", path = path.display()))
     }
 
-    /// Copies a flight's code, and says how long it is.
     pub fn copy_code(&mut self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
         let replay = self.named_record(visit, candidate)?;
         let code = replay.code()?;
@@ -220,7 +213,6 @@ impl Session {
         Ok(words)
     }
 
-    /// A record, with the player's name where it was just flown.
     fn named_record(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<Replay, String> {
         let level = self.level_of(visit, candidate)?;
         let mut replay = record(visit, candidate, &self.scores, &level)?;

@@ -1,29 +1,26 @@
 //! The worker beside the screens: it reads and judges levels, one errand after the other, so that no frame waits for a disk or a large
 //! level. A test steps it by hand.
 
+use super::{folder_watch::Stamp, library::Refusal, library::load, recordings};
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, Awards, Level};
 use crate::words::{self, Language};
-use crate::{draw::Image, game::Reel};
-use crate::{
-    import, pack::Installed, session::folder_watch::Stamp, session::library::Refusal, session::recordings, view::painting,
-};
+use crate::{draw::Image, game::Reel, import, pack::Installed, view::painting};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::{collections::VecDeque, path::PathBuf, thread};
 
-/// What is to be read, with all that it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Errand {
     /// The level in a folder; images are looked up there, then under the second folder, the project's.
     Level(PathBuf, PathBuf),
-    /// What the card of that level shows.
     Card(PathBuf, PathBuf),
-    /// The files of the level in a folder, to be edited.
     Editor(PathBuf, PathBuf),
-    /// An archive is to be installed.
-    Install { archive: PathBuf, levels: PathBuf, root: PathBuf },
-    /// The names of the levels in a folder.
+    Install {
+        archive: PathBuf,
+        levels: PathBuf,
+        root: PathBuf,
+    },
     List(PathBuf),
     /// The first of these levels that loads; and of the level in the last folder, if any, its flight for gold.
     First(Vec<PathBuf>, PathBuf, Option<PathBuf>),
@@ -54,10 +51,6 @@ pub enum Brought {
 
 impl Errand {
     fn run(self) -> Brought {
-        let load = |folder: &PathBuf, root: &PathBuf| match level::load(folder, root) {
-            Ok(loaded) => Ok(Arc::new(loaded.level)),
-            Err(problems) => Err(level::listed(&problems)),
-        };
         match self {
             Self::Level(folder, root) => {
                 let level = load(&folder, &root);
@@ -98,7 +91,6 @@ pub struct Worker {
 enum At {
     /// On the screen's thread: the given number of errands, or without a number each as it is asked for.
     Here(VecDeque<(Ticket, Errand)>, Option<usize>),
-    /// On a thread of their own.
     Beside(Arc<Desk>, Receiver<(Ticket, Brought)>),
 }
 
@@ -188,7 +180,6 @@ impl Worker {
         }
     }
 
-    /// What has come of the next errand, where that is known.
     pub fn bring(&mut self) -> Option<(Ticket, Brought)> {
         match &mut self.at {
             At::Here(errands, left) => {

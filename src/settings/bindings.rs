@@ -135,7 +135,6 @@ impl Bindings {
         signs.any(|sign| !matches!(sign, '[' | ']') && !layout::has(sign))
     }
 
-    /// Whether a key, by what it types, flies.
     fn flies(&self, key: Key) -> bool {
         Action::ALL[..FLYING].iter().any(|action| self.typed(*action).contains(&Some(key)))
     }

@@ -180,7 +180,6 @@ impl fmt::Display for Key {
     }
 }
 
-/// As it stands on a key.
 fn on_key(sign: char) -> String {
     let mut capital = sign.to_uppercase();
     match (capital.next(), capital.next()) {
