@@ -82,6 +82,7 @@ pub struct RunResult {
     pub together: f64,
     /// Fraction of the fuel left, 0 … 1; 0 where the level gives none.
     pub fuel: f64,
+    /// Fuel units.
     pub fuel_used: f64,
     /// Length of the ship's path, m.
     pub distance: f64,

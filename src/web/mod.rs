@@ -139,6 +139,7 @@ pub fn set_at_risk(at_risk: bool) {
     AT_RISK.set(at_risk);
 }
 
+/// The least time until the next frame, s.
 pub fn end_frame(rest: f64) {
     // SAFETY: it takes a number.
     unsafe { resultant_frame_ends(rest) }

@@ -102,6 +102,7 @@ impl WindowSpectator {
         canvas.use_frame(whole);
     }
 
+    /// s.
     pub fn note_frame(&mut self, frame_time: f64) {
         self.frame_cost += (frame_time - self.frame_cost) * FRAME_WEIGHT;
     }
