@@ -172,8 +172,7 @@ pub const fn pair(vector: DVec2) -> Pair {
 /// A hundredth begun by less than this share of it does not count: 0.29 s is 29 hundredths and a rounding. Far below a tick.
 const ROUNDING: f64 = 1e-6;
 
-/// Hundredths of a second, rounded up. The screen shows this time, and a medal asks for it within [`whole_hundredths`] of its
-/// limit.
+/// Hundredths of a second, rounded up. The screen shows this time, and a medal asks for it within [`whole_hundredths`] of its limit.
 pub fn hundredths(seconds: f64) -> u64 {
     (seconds * 100.0 - ROUNDING).ceil().max(0.0) as u64
 }

@@ -4,11 +4,8 @@
 //! Templates have named places: `tr!("{count} levels in {name}", count = 3, name)`. Each language orders them as it likes.
 
 use crate::built_in::SHIPPED;
-use std::borrow::Cow;
-use std::cell::Cell;
-use std::collections::HashMap;
-use std::fmt::Display;
 use std::sync::{LazyLock, Mutex, OnceLock, PoisonError};
+use std::{borrow::Cow, cell::Cell, collections::HashMap, fmt::Display};
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {

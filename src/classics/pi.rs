@@ -10,10 +10,9 @@
 //!
 //! > u₂ ← u₂ + d·h, then h ← −v₁' − u₂ = h − 2u₂.
 //!
-//! No difference of nearly equal numbers and no coefficient near 1 is left, over which the pair formula itself stumbles in `f64` from
-//! N = 8 on, where m₁ + m₂ rounds to m₂. It is an area-preserving map: what the rounding of a round does is not amplified by later
-//! ones. The angle that the rounds add up to (π after the last collision) has to be right to a few tenths of 10^−N; after the 1.6·10⁹
-//! rounds of N = 9 it is so to 10^−13.
+//! No difference of nearly equal numbers and no coefficient near 1 is left, over which the pair formula itself stumbles in `f64` from N = 8 on, where
+//! m₁ + m₂ rounds to m₂. It is an area-preserving map: what the rounding of a round does is not amplified by later ones. The angle that the rounds
+//! add up to (π after the last collision) has to be right to a few tenths of 10^−N; after the 1.6·10⁹ rounds of N = 9 it is so to 10^−13.
 
 /// The largest N: one more digit would need ten times as many collisions, and more exact numbers than `f64`.
 pub const MAX_N: u32 = 9;
@@ -79,8 +78,7 @@ pub enum Collision {
 pub struct Blocks {
     d: f64,
     pub time: f64,
-    /// The rounding error of `time` from the sum of delays (W. Kahan, 1965): in the thick of N = 7 a delay is a few times its last
-    /// bit.
+    /// The rounding error of `time` from the sum of delays (W. Kahan, 1965): in the thick of N = 7 a delay is a few times its last bit.
     time_lost: f64,
     light: f64,
     heavy: f64,
@@ -177,9 +175,7 @@ pub struct Stepped {
 ///
 /// It fails where the blocks turn round in less time than its two collisions a step allow: the heavy block is then carried on
 /// through the wall, and what overlaps there is not always a collision.
-///
-/// # Errors
-/// A sentence, when `dt` is not above 0 and finite, `substeps` is 0, or the steps would be too many to wait for.
+/// Errors: a sentence, when `dt` is not above 0 and finite, `substeps` is 0, or the steps would be too many to wait for.
 pub fn step_through(n: u32, dt: f64, substeps: u32) -> Result<Stepped, String> {
     if !(dt > 0.0 && dt.is_finite()) {
         return Err(format!("dt: found {dt}, expected a finite number of seconds above 0"));

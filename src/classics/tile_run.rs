@@ -1,8 +1,7 @@
 //! Tile run: a point runs and jumps through a map of tiles, one [`Command`] a frame.
 //!
-//! The tile at column c and row r covers x ∈ [c, c+1), y ∈ [r, r+1); y grows downwards; lengths are in tiles, speeds in tiles a
-//! frame. [`Runner::frame`] uses nothing but `+ − × floor` and comparisons on `f64`, in a fixed order, so that a run has the same bits
-//! on every machine.
+//! The tile at column c and row r covers x ∈ [c, c+1), y ∈ [r, r+1); y grows downwards; lengths are in tiles, speeds in tiles a frame.
+//! [`Runner::frame`] uses nothing but `+ − × floor` and comparisons on `f64`, in a fixed order, so that a run has the same bits on every machine.
 
 use std::fmt;
 
@@ -40,9 +39,7 @@ pub struct Map {
 
 impl Map {
     /// Reads a map: a row a line; `#` solid, `.` empty, one `s` or `S` the start. Rows may differ in length.
-    ///
-    /// # Errors
-    /// The first of: another character, a second start, no start, no tiles at all.
+    /// Errors: the first of: another character, a second start, no start, no tiles at all.
     pub fn parse(text: &str) -> Result<Self, InputError> {
         let mut solid = Vec::new();
         let mut start = None;
@@ -101,9 +98,7 @@ pub enum Command {
 
 impl Command {
     /// Reads a list of commands: `NAME VALUE` a line, NAME one of LEFT, RIGHT, JUMP, WAIT. Blank lines are skipped.
-    ///
-    /// # Errors
-    /// The first line with an unknown name, without a value, with a value that is no finite number, or with more behind it.
+    /// Errors: the first line with an unknown name, without a value, with a value that is no finite number, or with more behind it.
     pub fn parse_all(text: &str) -> Result<Vec<Self>, InputError> {
         let written = lines(text).filter(|(_, line)| !line.trim().is_empty());
         written.map(|(number, line)| Self::parse(line).map_err(|message| error(number, message))).collect()

@@ -1,9 +1,4 @@
-//! `resultant check [LEVEL…]`: loads levels, and says what is in them or everything that is wrong with them.
-//! `resultant new NAME [--show]` makes a level folder that loads, for an author to change.
-//! `resultant prove LEVEL REPLAY --as PRIZE`: makes a flight the proof of a medal.
-//! `resultant edit LEVEL`: opens the editor.
-//! `resultant pack` and `resultant unpack`: a level as one file, and back.
-//! `resultant import MAP`: a map of the editor Tiled becomes a level; with `--watch` again whenever it is saved.
+//! `resultant check`, `new`, `prove`, `edit`, `pack`, `unpack` and `import`: what makes, judges and hands on levels.
 
 use super::{CommandError, Readers, Status, project::Project, shown};
 use crate::import::{self, ImportedLevel, SourceFile};
@@ -179,8 +174,7 @@ pub struct EditArgs {
 /// Returns when the window is closed. Errors: no such level; no display.
 #[cfg(feature = "window")]
 pub fn edit_level(args: &EditArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
-    use crate::screens::Editor;
-    use crate::window::Start;
+    use crate::{screens::Editor, window::Start};
     let folder = project.level_folder(&args.level)?;
     // A level that does not open is refused before a window opens.
     let name = Editor::open(&folder, project.root()).map_err(CommandError::Refused)?.name().to_owned();

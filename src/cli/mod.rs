@@ -1,7 +1,5 @@
-//! The command line: one file a subcommand, and [`Project`], which finds the game's folders. Standard output gets results, standard
-//! error problems. Results go to the writer argument, never to `println!`, which panics on a closed pipe.
-//!
-//! How a subcommand ends, and the texts that it leaves on a terminal.
+//! The command line: one file a subcommand, and [`Project`], which finds the game's folders. Standard output gets results, standard error problems.
+//! Results go to the writer argument, never to `println!`, which panics on a closed pipe.
 
 #[allow(clippy::disallowed_methods)] // it measures
 mod chart;

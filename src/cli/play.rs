@@ -1,7 +1,4 @@
-//! `resultant` and `resultant play LEVEL`: opens the game.
-//! `resultant jumper`: a climb without a window.
-//! `resultant pi`: counts the collisions of two blocks and a wall.
-//! `resultant tiles`: runs a list of commands through a map of tiles.
+//! `resultant` and `resultant play` open the game; `jumper`, `pi` and `tiles` run the classics without a window.
 
 use super::{CommandError, Status, project::Project};
 use crate::classics::jumper::{Climb, JumpKeys, JumperScene, parse};
@@ -28,16 +25,9 @@ pub use window::{run, show};
 mod window {
     use super::{PlayArgs, Project};
     use crate::cli::{CommandError, Status, shown};
-    use crate::files::INPUTS;
-    use crate::game::Inputs;
-    use crate::level;
-    use crate::screens::Places;
-    use crate::session::library::Attempt;
     use crate::window::{Start, open};
-    use std::ffi::OsStr;
-    use std::io::Write;
-    use std::path::Path;
-    use std::sync::Arc;
+    use crate::{files::INPUTS, game::Inputs, level, screens::Places, session::library::Attempt};
+    use std::{ffi::OsStr, io::Write, path::Path, sync::Arc};
 
     /// Returns when the window is closed. Errors: a refused level or inputs; a missing folder of levels; no display.
     pub fn run(args: &PlayArgs, project: &Project, _out: &mut dyn Write) -> Result<Status, CommandError> {
@@ -166,10 +156,8 @@ pub struct PiArgs {
 /// Errors: a step that is not above 0 and finite, or too small.
 pub fn count_pi(args: &PiArgs, _: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let started = Instant::now();
-    let stepped = match args.dt {
-        Some(dt) => Some(step_through(args.n, dt, args.substeps).map_err(|problem| CommandError::Refused(format!("--{problem}")))?),
-        None => None,
-    };
+    let stepped = args.dt.map(|dt| step_through(args.n, dt, args.substeps)).transpose();
+    let stepped = stepped.map_err(|problem| CommandError::Refused(format!("--{problem}")))?;
     let stepped_seconds = started.elapsed().as_secs_f64();
 
     let started = Instant::now();

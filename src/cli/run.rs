@@ -1,14 +1,11 @@
-//! `resultant run`: plays a level without a window.
-//! The telemetry file: state and forces of each object, tick by tick.
-//! The file of forces: each force and impact of each tick, with its source and its point.
+//! `resultant run`: plays a level without a window, and writes the telemetry, state and forces of each object tick by tick, and the file of forces.
 
 use super::files::{CsvOutput, OutputFile, Staged};
 use super::{CommandError, Status, project::Project};
-use crate::files::INPUTS;
 use crate::game::{Game, Inputs, MOST_TICKS, Outcome, Recorder, SHIP, TICK_RATE, obstacle_name, source_name};
-use crate::level::{FILES, Object};
 use crate::number::{Pair, Shortest, pair};
 use crate::physics::{BodyId, DVec2, ForceKind, Impulse, Obstacle, World};
+use crate::{files::INPUTS, level::FILES};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::{ffi::OsString, ops::RangeInclusive, path::PathBuf};
@@ -74,12 +71,10 @@ fn parse_tick_rate(text: &str) -> Result<f64, String> {
 /// input; nothing was run then.
 pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let level = project.load_level(&args.level)?;
-    let inputs = match &args.inputs {
-        Some(path) => {
-            Some(Inputs::parse(&path.display().to_string(), &project.read_text(path, INPUTS)?).map_err(CommandError::refused)?)
-        }
-        None => None,
+    let parsed = |path: &PathBuf| {
+        Inputs::parse(&path.display().to_string(), &project.read_text(path, INPUTS)?).map_err(CommandError::refused)
     };
+    let inputs = args.inputs.as_ref().map(parsed).transpose()?;
     let last = last_tick(args, inputs.as_ref())?;
     let folder = project.level_folder(&args.level)?;
     // Also a background that is not there yet.
@@ -89,11 +84,13 @@ pub fn run(args: &RunArgs, project: &Project, out: &mut dyn Write) -> Result<Sta
     let outputs =
         [("--telemetry", args.telemetry.as_deref()), ("--forces", args.forces.as_deref()), ("--record", args.record.as_deref())];
     let [telemetry, forces, record] = OutputFile::create_all(outputs, &read)?;
-    let mut written =
-        Written { telemetry: telemetry.map(Telemetry::new).transpose()?, forces: forces.map(Forces::new).transpose()? };
-
-    let flown = fly(&mut game, inputs.unwrap_or_default(), last, &mut written)?;
-    let mut staged = written.stage()?;
+    let mut tables = [
+        telemetry.map(|file| CsvOutput::new(file, &header())).transpose()?,
+        forces.map(|file| CsvOutput::new(file, HEADER)).transpose()?,
+    ];
+    let flown = fly(&mut game, inputs.unwrap_or_default(), last, &mut tables)?;
+    let stage = |table: CsvOutput<OutputFile>| table.into_inner()?.stage();
+    let mut staged = tables.into_iter().flatten().map(stage).collect::<Result<Vec<_>, CommandError>>()?;
     if let Some(mut file) = record {
         write!(file, "{}", flown.finish(&game))?;
         staged.push(file.stage()?);
@@ -124,59 +121,35 @@ fn last_tick(args: &RunArgs, inputs: Option<&Inputs>) -> Result<u64, CommandErro
     Ok(ticks as u64)
 }
 
-/// The outputs of a run in flight.
-struct Written {
-    telemetry: Option<Telemetry<OutputFile>>,
-    forces: Option<Forces<OutputFile>>,
+/// The telemetry and the forces of a run in flight.
+type Tables = [Option<CsvOutput<OutputFile>>; 2];
+
+fn write_tick([telemetry, forces]: &mut Tables, game: &Game) -> io::Result<()> {
+    telemetry.iter_mut().try_for_each(|table| write_bodies(table, game))?;
+    forces.iter_mut().try_for_each(|table| write_forces(table, game))
 }
 
-impl Written {
-    fn write_tick(&mut self, game: &Game) -> io::Result<()> {
-        if let Some(file) = &mut self.telemetry {
-            file.write_tick(game)?;
-        }
-        if let Some(file) = &mut self.forces {
-            file.write_tick(game)?;
-        }
-        Ok(())
-    }
-
-    fn stage(self) -> Result<Vec<Staged>, CommandError> {
-        let telemetry = self.telemetry.map(Telemetry::into_inner).transpose()?;
-        let forces = self.forces.map(Forces::into_inner).transpose()?;
-        telemetry.into_iter().chain(forces).map(OutputFile::stage).collect()
-    }
-}
-
-fn fly(game: &mut Game, inputs: Inputs, last: u64, written: &mut Written) -> io::Result<Recorder> {
-    written.write_tick(game)?;
+fn fly(game: &mut Game, inputs: Inputs, last: u64, tables: &mut Tables) -> io::Result<Recorder> {
+    write_tick(tables, game)?;
     let mut flown = Recorder::default();
     let mut playback = inputs.into_iter();
     while game.outcome() == Outcome::Running && game.ticks() < last {
         let controls = playback.next().unwrap_or_default();
         game.step(controls);
         flown.note(game, controls);
-        written.write_tick(game)?;
+        write_tick(tables, game)?;
     }
     Ok(flown)
 }
 
 fn print(game: &Game, out: &mut dyn Write) -> io::Result<()> {
     let result = game.result();
-    writeln!(out, "outcome={}", result.outcome.name())?;
-    writeln!(out, "time={}", Shortest(result.time))?;
-    writeln!(out, "score={}", result.score.total)?;
-    writeln!(out, "objectives={}/{}", result.objectives_met, result.objectives_all)?;
-    writeln!(out, "collisions={}", result.collisions)?;
-    writeln!(out, "fuel={}", Shortest(result.fuel))?;
-    writeln!(out, "ticks={}", game.ticks())?;
-    writeln!(out, "hash={:016x}", game.hash())?;
+    writeln!(out, "outcome={}\ntime={}\nscore={}", result.outcome.name(), Shortest(result.time), result.score.total)?;
+    writeln!(out, "objectives={}/{}\ncollisions={}", result.objectives_met, result.objectives_all, result.collisions)?;
+    writeln!(out, "fuel={}\nticks={}\nhash={:016x}", Shortest(result.fuel), game.ticks(), game.hash())?;
     let place = game.world().body(SHIP).position;
     writeln!(out, "x={}\ny={}", Shortest(place.x), Shortest(place.y))?;
-    match game.killed_by() {
-        Some(death) => writeln!(out, "killed_by={}", death.name(game.level())),
-        None => Ok(()),
-    }
+    game.killed_by().map_or(Ok(()), |death| writeln!(out, "killed_by={}", death.name(game.level())))
 }
 
 pub fn header() -> String {
@@ -202,26 +175,15 @@ struct BodyRow {
     impulse: Pair,
 }
 
-struct Telemetry<W: Write>(CsvOutput<W>);
-
-impl<W: Write> Telemetry<W> {
-    pub fn new(out: W) -> io::Result<Self> {
-        Ok(Self(CsvOutput::new(out, &header())?))
+/// A row an object: the ship, then the objects in the level's order.
+fn write_bodies(table: &mut CsvOutput<OutputFile>, game: &Game) -> io::Result<()> {
+    let (ship, impulses) = (game.ship(), impulses(game.world()));
+    table.row(&row(game, (SHIP, impulses[0]), "ship", (ship.angle, ship.fuel)))?;
+    for ((body, object), impulse) in (1..).zip(&game.level().objects).zip(&impulses[1..]) {
+        let kind = if object.key.is_some() { "key" } else { "object" };
+        table.row(&row(game, (BodyId(body), *impulse), kind, (0.0, 0.0)))?;
     }
-
-    /// A row an object: the ship, then the objects in the level's order.
-    pub fn write_tick(&mut self, game: &Game) -> io::Result<()> {
-        let (ship, impulses) = (game.ship(), impulses(game.world()));
-        self.0.row(&row(game, (SHIP, impulses[0]), "ship", (ship.angle, ship.fuel)))?;
-        for ((body, object), impulse) in (1..).zip(&game.level().objects).zip(&impulses[1..]) {
-            self.0.row(&row(game, (BodyId(body), *impulse), kind(object), (0.0, 0.0)))?;
-        }
-        Ok(())
-    }
-
-    pub fn into_inner(self) -> io::Result<W> {
-        self.0.into_inner()
-    }
+    Ok(())
 }
 
 /// N·s: the sum of the last tick's impacts on each body.
@@ -239,10 +201,6 @@ fn impulses(world: &World) -> Vec<DVec2> {
 /// A kind of force in the names of columns and rows.
 pub fn column(kind: ForceKind) -> String {
     kind.name().to_lowercase().replace(' ', "_")
-}
-
-fn kind(object: &Object) -> &'static str {
-    if object.key.is_some() { "key" } else { "object" }
 }
 
 fn row(game: &Game, (id, impulse): (BodyId, DVec2), kind: &'static str, (angle, fuel): (f64, f64)) -> BodyRow {
@@ -281,44 +239,24 @@ struct ForceRow<'a> {
     point: Pair,
 }
 
-pub struct Forces<W: Write>(CsvOutput<W>);
-
-impl<W: Write> Forces<W> {
-    pub fn new(out: W) -> io::Result<Self> {
-        Ok(Self(CsvOutput::new(out, HEADER)?))
-    }
-
-    /// For each object of the current tick, the forces at this instant and then the impacts since the tick before, in time order.
-    pub fn write_tick(&mut self, game: &Game) -> io::Result<()> {
-        let (world, level) = (game.world(), game.level());
-        for id in (0..world.bodies().len() as u32).map(BodyId) {
-            for force in world.forces(id).forces() {
-                let names = (column(force.kind), source_name(level, force.source));
-                self.write_row(game, id, (&names.0, &names.1), (force.vector, force.point))?;
-            }
-            let felt = |impulse: &Impulse| Some((impulse.on(id)?, impulse.point, if impulse.impact { IMPACT } else { ENDED }));
-            for ((vector, by), point, kind) in world.impulses().iter().filter_map(felt) {
-                self.write_row(game, id, (kind, &obstacle_name(level, by)), (vector, point))?;
-            }
+/// For each object of the current tick, the forces at this instant and then the impacts since the tick before, in time order.
+fn write_forces(table: &mut CsvOutput<OutputFile>, game: &Game) -> io::Result<()> {
+    let (world, level) = (game.world(), game.level());
+    let (tick, time) = (game.ticks(), Shortest(game.elapsed()));
+    for object in 0..world.bodies().len() as u32 {
+        let id = BodyId(object);
+        let mut write = |kind: &str, by: &str, vector: DVec2, point: DVec2| {
+            // Adding zero turns −0 into 0.
+            let vector = pair(vector + DVec2::ZERO);
+            table.row(&ForceRow { tick, time, object, kind, by, vector, point: pair(point) })
+        };
+        for force in world.forces(id).forces() {
+            write(&column(force.kind), &source_name(level, force.source), force.vector, force.point)?;
         }
-        Ok(())
+        let felt = |impulse: &Impulse| Some((impulse.on(id)?, impulse.point, if impulse.impact { IMPACT } else { ENDED }));
+        for ((vector, by), point, kind) in world.impulses().iter().filter_map(felt) {
+            write(kind, &obstacle_name(level, by), vector, point)?;
+        }
     }
-
-    pub fn into_inner(self) -> io::Result<W> {
-        self.0.into_inner()
-    }
-
-    fn write_row(&mut self, game: &Game, id: BodyId, (kind, by): (&str, &str), (vector, point): (DVec2, DVec2)) -> io::Result<()> {
-        // Adding zero turns −0 into 0.
-        let vector = pair(vector + DVec2::ZERO);
-        self.0.row(&ForceRow {
-            tick: game.ticks(),
-            time: Shortest(game.elapsed()),
-            object: id.0,
-            kind,
-            by,
-            vector,
-            point: pair(point),
-        })
-    }
+    Ok(())
 }

@@ -208,7 +208,7 @@ fn print_table(rows: &[Vec<String>], out: &mut dyn Write) -> io::Result<()> {
 fn write_csv(levels: &[(&String, &LevelTally)], experiments: &Experiments, file: OutputFile) -> Result<OutputFile, CommandError> {
     let mut table = CsvOutput::new(file, CSV)?;
     for (name, level) in levels {
-        let sums = StatsRow {
+        table.row(&StatsRow {
             kind: "level",
             name: &harmless(name),
             players: level.players.len(),
@@ -217,20 +217,18 @@ fn write_csv(levels: &[(&String, &LevelTally)], experiments: &Experiments, file:
             median_time: level.median().map(|median| format!("{median:.3}")),
             lost_to: harmless(&causes(level)).into_owned(),
             judged: [None; 4],
-        };
-        table.row(&sums)?;
+        })?;
     }
     for (name, experiment) in experiments {
         let ([right, wrong], [read, misread]) = (experiment.predictions, experiment.readings);
-        let sums = StatsRow {
+        table.row(&StatsRow {
             kind: "experiment",
             name: &harmless(name),
             players: experiment.players.len(),
             tries: experiment.answers(),
             judged: [right, wrong, read, misread].map(Some),
             ..StatsRow::default()
-        };
-        table.row(&sums)?;
+        })?;
     }
     Ok(table.into_inner()?)
 }

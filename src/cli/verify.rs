@@ -1,5 +1,4 @@
-//! `resultant verify`: flies recorded runs again and compares where they lead.
-//! `resultant verify --scores`: flies the flight of every row of every leaderboard again, and names the rows that do not hold.
+//! `resultant verify`: flies recorded runs, or with `--scores` the flight of every row of every leaderboard, again, and names what does not hold.
 //! `resultant code`: a recorded flight as one line of text, which `resultant verify` and the game's list of flights take.
 
 use super::{CommandError, Readers, Silence, Status, TICKS_A_LOOK, project::Project, shown};
@@ -109,10 +108,7 @@ pub fn verify_scores(project: &Project, out: &mut dyn Write) -> Result<Status, C
     let scores = Scores::new(project.scores());
     let mut err = Readers::of(io::stderr().lock());
     let mut status = Status::Done;
-    for name in scores.boards() {
-        if name == LEADERBOARD {
-            continue;
-        }
+    for name in scores.boards().into_iter().filter(|name| name != LEADERBOARD) {
         if !judge_board(project, &scores, &name, (out, &mut err))? {
             status = Status::Wrong;
         }

@@ -1,5 +1,4 @@
-//! From frame times to whole ticks (Glenn Fiedler, "Fix Your Timestep!").
-//! From the keys of frames to the controls of ticks.
+//! From frame times to whole ticks (Glenn Fiedler, "Fix Your Timestep!"), and from the keys of frames to the controls of ticks.
 
 pub use crate::level::TICK_RATE;
 use std::ops::RangeInclusive;
@@ -42,7 +41,6 @@ impl Clock {
         }
     }
 
-    /// Takes a tick, if one is due.
     pub fn tick(&mut self) -> bool {
         let due = self.pending >= 1.0 - ROUNDING;
         if due {
@@ -89,7 +87,6 @@ fn either(a: Controls, b: Controls) -> Controls {
     Controls { thrust: a.thrust || b.thrust, reverse: a.reverse || b.reverse, left: a.left || b.left, right: a.right || b.right }
 }
 
-/// The keys of one tick.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Controls {
     pub thrust: bool,

@@ -15,8 +15,7 @@
 use super::clock::{Controls, TICK_RATE};
 use super::{event::Outcome, fingerprint::LevelHash, inputs::Inputs, replay::Replay};
 use crate::words::tr;
-use base64::Engine;
-use base64::prelude::BASE64_URL_SAFE_NO_PAD;
+use base64::{Engine, prelude::BASE64_URL_SAFE_NO_PAD};
 use sha2::{Digest, Sha256};
 
 const VERSION: u8 = 1;

@@ -1,6 +1,5 @@
-//! States and events of an attempt.
-//! Names of all that exerts a force in a level: bodies by their numbers in the telemetry, the rest by the rows of the level's files. Files and
-//! players' pages have names of their own, with the same numbers.
+//! States and events of an attempt, and the names of all that exerts a force: bodies by their numbers in the telemetry, the rest by the rows of
+//! the level's files. Files and players' pages have names of their own, with the same numbers.
 
 use super::clock::TICK_RATES;
 #[cfg(doc)]
@@ -12,9 +11,7 @@ use crate::words::tr;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     Running,
-    /// All objectives are met at once.
     Completed,
-    /// The ship touched a death box, or a surface squeezed it.
     Failed,
 }
 
@@ -38,20 +35,15 @@ impl Outcome {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum GameEvent {
-    /// At least [`DUST_SPEED`].
+    /// At least [`DUST_SPEED`], m/s along the normal, which points away from the other body or surface; the point in m.
     Impact {
-        /// m.
         point: DVec2,
-        /// m/s along the normal.
         speed: f64,
-        /// Away from the other body or surface.
         normal: DVec2,
     },
-    /// A hit of the ship at [`DAMAGING_SPEED`] or more: −500 points.
+    /// A hit of the ship at [`DAMAGING_SPEED`] or more, m/s along the normal: −500 points.
     DamagingHit {
-        /// m.
         point: DVec2,
-        /// m/s along the normal.
         speed: f64,
     },
     /// By index in `Level::objectives`.
@@ -70,9 +62,8 @@ pub enum GameEvent {
     /// By index in `Level::links`: its ends have touched, and it acts from now on.
     Hooked(usize),
     Completed,
-    /// A body begins to be squeezed.
+    /// A body, with its centre there, m, begins to be squeezed.
     Crushed {
-        /// The body's centre, m.
         point: DVec2,
     },
     Died,

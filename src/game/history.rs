@@ -1,7 +1,5 @@
-//! A flight that can go back: its inputs, and copies of the game from which any tick is flown again, bit for bit. Copies stand at equal distances;
-//! beyond the most copies every second one goes and the distance doubles: memory stays bounded.
-//! A flight that the same controls fly again in another level, an experiment that changes one thing; a long one takes several frames.
-//! What becomes of a level in which nobody presses a key.
+//! A flight that can go back: its inputs, and copies of the game at equal distances, from which any tick is flown again, bit for bit. Beyond the most
+//! copies every second one goes and the distance doubles: memory stays bounded. Also a flight flown again in another level, and one without a key.
 
 use super::clock::{Controls, TICK_RATE};
 use super::event::{GameError, Outcome};
@@ -265,7 +263,6 @@ const MOVED: f64 = 1e-3;
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum DryRun {
-    /// The level waits for its pilot.
     Waits,
     /// After that time, s.
     Won(f64),
@@ -296,7 +293,6 @@ impl DryRun {
     }
 }
 
-/// Whether some keys lead the ship elsewhere than none.
 fn obeys(game: &Game) -> bool {
     let with = |thrust, reverse, left, right| Controls { thrust, reverse, left, right };
     let keys = [

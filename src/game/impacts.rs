@@ -1,6 +1,4 @@
-//! The impacts of the last half second of the game, because one tick is too short to read. No rule depends on them.
-//! Touching objectives, pods and death boxes.
-//! The number of times the ship has pushed objects, for a mark of few pushes.
+//! The impacts of the last half second, because one tick is too short to read: no rule depends on them. Touching boxes, and the pushes of objects.
 
 use super::ship::SHIP;
 use crate::level::{SHIP_HALF, sweep_touches};
@@ -20,7 +18,6 @@ pub const READABLE: f64 = 0.5;
 /// The most impacts in memory. With fewer, impacts of a large crowd go too soon.
 const MOST: usize = 8192;
 
-/// The impact of a body or surface on a body in one tick.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Felt {
     pub tick: u64,

@@ -73,7 +73,6 @@ fn ticks(dialect: Dialect, text: &str) -> Result<Cow<'_, str>, String> {
     }
 }
 
-/// Four cells, 0 or 1.
 fn as_keys<S: Serializer>(controls: &Controls, to: S) -> Result<S::Ok, S::Error> {
     let &Controls { thrust, reverse, left, right } = controls;
     [thrust, reverse, left, right].map(u8::from).serialize(to)
@@ -90,6 +89,7 @@ impl Inputs {
     pub fn parse(file: &str, text: &str) -> Result<Self, BadFile> {
         let columns: Vec<&str> = HEADER.split(',').collect();
         let mut rows = CsvFile { name: file, columns: &columns, comments: true }.rows_of::<InputRow>(text.as_bytes());
+        let header_row = || tr!("the header {header}", header = HEADER);
         match rows.next() {
             Some(row) if row.is_header(columns.len()) && row.used() == columns.len() => {}
             Some(row) => return Err(BadFile(vec![row.problem("ticks", format_args!("{:?}", row.joined()), header_row())])),
@@ -136,7 +136,6 @@ impl Inputs {
         self.rows.iter().map(|row| (row.controls, row.ticks))
     }
 
-    /// The controls of each tick after the first `ticks` ones.
     pub fn after(&self, ticks: u64) -> impl Iterator<Item = Controls> + '_ {
         let mut before = ticks;
         self.rows.iter().flat_map(move |row| {
@@ -192,10 +191,6 @@ impl Iterator for Playback {
         self.row.ticks -= 1;
         Some(self.row.controls)
     }
-}
-
-fn header_row() -> String {
-    tr!("the header {header}", header = HEADER)
 }
 
 fn held(row: &CsvRow<'_>, columns: &[&str], problems: &mut Vec<String>) -> Option<HeldKeys> {

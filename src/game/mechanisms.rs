@@ -11,7 +11,6 @@ pub struct Mechanisms {
     pressed: Vec<bool>,
     on: Vec<bool>,
     wires: Vec<Wire>,
-    /// By wire of the level.
     works: Vec<bool>,
     /// Indices in `Level::world`.
     fragile: Vec<usize>,
@@ -194,7 +193,6 @@ impl Objectives {
     }
 }
 
-/// Whether the ship, or a key object that fits, touches an objective.
 fn is_touched(objective: &Objective, level: &Level, world: &World) -> bool {
     let touches = |body: BodyId| world.body(body).bounds().touches(&objective.bounds, TOUCH);
     match objective.kind {

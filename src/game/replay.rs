@@ -1,5 +1,4 @@
-//! A recorded run: inputs and their result. Its file is an inputs file whose comments hold the rest, so that it flies wherever
-//! inputs do.
+//! A recorded run: inputs and their result. Its file is an inputs file whose comments hold the rest, so that it flies wherever inputs do.
 //!
 //! ```text
 //! # program: resultant 1.0.0
@@ -18,8 +17,6 @@
 //!
 //! `hash` is of the last state, `hash 1` of the state after the first second, and so on: they show in which second a flight
 //! departs. A record of a saved score has `player`.
-//!
-//! The comments of a record, `# name: value`: their place and their values.
 
 use super::clock::{Controls, TICK_RATES};
 use super::fingerprint::{LevelHash, hex, level_hash};
@@ -60,17 +57,10 @@ pub enum Mismatch {
     RunsOn(u64, u64),
     /// The first second that departs, from 1, with the hashes after it. The rest was not flown.
     Second(usize, u64, u64),
-    /// The same state, but another end than the written one.
-    Result {
-        outcome: (Outcome, Outcome),
-        /// Thousandths of a second.
-        time: (u64, u64),
-    },
-    End {
-        score: (i64, i64),
-        /// The hash of the last state.
-        hash: (u64, u64),
-    },
+    /// The same state, but another end than the written one; the time in thousandths of a second.
+    Result { outcome: (Outcome, Outcome), time: (u64, u64) },
+    /// The hash is of the last state.
+    End { score: (i64, i64), hash: (u64, u64) },
 }
 
 impl fmt::Display for Mismatch {
@@ -114,7 +104,6 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Takes up the tick just made with these controls.
     pub fn note(&mut self, game: &Game, controls: Controls) {
         self.inputs.record(controls);
         if self.seconds.len() < MOST_SECONDS && ended_second(game).is_some() {
@@ -181,22 +170,13 @@ impl Replay {
         let seconds = notes.seconds();
         let mut problems = notes.problems;
         let inputs = Inputs::parse(file, text).map_err(|BadFile(found)| problems.extend(found)).ok();
-        match (program, level, level_hash, tick_rate, outcome, time, score, hash, inputs) {
-            (
-                Some(program),
-                Some(level),
-                Some(level_hash),
-                Some(tick_rate),
-                Some(outcome),
-                Some(time),
-                Some(score),
-                Some(hash),
-                Some(inputs),
-            ) if problems.is_empty() => {
-                Ok(Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs })
-            }
-            _ => Err(BadFile(problems)),
-        }
+        let read = || Some(((program?, level?, level_hash?, tick_rate?), (outcome?, time?, score?, hash?, inputs?)));
+        let Some(((program, level, level_hash, tick_rate), (outcome, time, score, hash, inputs))) =
+            read().filter(|_| problems.is_empty())
+        else {
+            return Err(BadFile(problems));
+        };
+        Ok(Self { program, player, level, level_hash, tick_rate, outcome, time, score, hash, seconds, inputs })
     }
 
     /// The mismatch of keys that go on beyond the record's own time, which needs no flight. That time begins with the first key.

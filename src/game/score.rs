@@ -1,6 +1,4 @@
-//! The score of an attempt.
-//! The prizes of a completed flight: bronze for its end, silver and gold for its time, and the level's own mark.
-//! What marks for tricks ask for: burns, stars, and objectives met together.
+//! The score of an attempt; the prizes of a completed flight, and what marks for tricks ask for: burns, stars, and objectives met together.
 
 use super::event::{GameEvent, Outcome};
 use super::impacts::{SHIP_BOX, has_passed};
@@ -79,13 +77,12 @@ pub struct RunResult {
     /// Touches of one object less than half a second apart are one.
     pub pushes: u32,
     pub burns: u32,
-    /// Stars that nothing has touched.
     pub stars_left: usize,
     /// The shortest time within which as many objectives were met as the level's mark asks for, s; 0 where it asks for none.
     pub together: f64,
     /// Fraction of the fuel left, 0 … 1; 0 where the level gives none.
     pub fuel: f64,
-    /// Fuel units used.
+    /// Fuel units.
     pub fuel_used: f64,
     /// Length of the ship's path, m.
     pub distance: f64,
@@ -100,7 +97,6 @@ pub struct RunResult {
     pub score: ScoreParts,
 }
 
-/// The better one is greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Medal {

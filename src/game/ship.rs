@@ -13,7 +13,6 @@ pub const ROTATION_RATE: f64 = 180.0;
 /// player who aims on the ground changes keys.
 const RIGHTING_AFTER: f64 = 0.5;
 
-/// The body of the level's object of that index.
 pub const fn object_body(index: usize) -> BodyId {
     BodyId(index as u32 + 1)
 }

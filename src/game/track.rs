@@ -1,5 +1,4 @@
-//! The ghost of a race: place of a recorded ship and times of its objectives, tick by tick. It touches nothing: its world is flown ahead of the race.
-//! A record that is flown again, to compare where it leads with the written end.
+//! The ghost of a race, whose world is flown ahead of the race and touches nothing; and a record flown again, to compare with its written end.
 
 use super::event::{GameError, GameEvent, Outcome};
 use super::inputs::{Inputs, Playback};

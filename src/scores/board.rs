@@ -1,7 +1,5 @@
-//! The order of a leaderboard, without files.
-//!
-//! The text of a scores file: `name,score` and any columns behind, to a [`Board`] and back. It reads such a file from people and spreadsheets:
-//! without header, in any order, with blank lines, CRLF, a byte-order mark or spaces. Any other row becomes a line of damage and spoils no other.
+//! A leaderboard, and its text: `name,score` and any columns behind, as people and spreadsheets write it: without header, in any order, with blank
+//! lines, CRLF, a byte-order mark or spaces. Any other row becomes a line of damage and spoils no other.
 
 use super::name::{DamageReport, Name, ScoresError};
 use crate::files::{CsvColumn, CsvFile, CsvRow, CsvStruct, csv_line, whole};
@@ -29,31 +27,12 @@ pub struct Board {
     rows: Vec<BoardRow>,
 }
 
-/// Ranks count from 1.
+/// Ranks count from 1. A higher score takes the place of the user's best, `from`; a best that is as high or higher stays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Placement {
-    New {
-        rank: usize,
-    },
-    /// A higher score in place of the user's best.
-    Raised {
-        rank: usize,
-        /// The score before.
-        from: i64,
-    },
-    /// The user's best is as high or higher and stays.
-    Kept {
-        rank: usize,
-        best: i64,
-    },
-}
-
-impl Placement {
-    pub fn rank(self) -> usize {
-        match self {
-            Self::New { rank } | Self::Raised { rank, .. } | Self::Kept { rank, .. } => rank,
-        }
-    }
+    New { rank: usize },
+    Raised { rank: usize, from: i64 },
+    Kept { rank: usize, best: i64 },
 }
 
 impl Board {
@@ -289,7 +268,7 @@ mod tests {
             assert!(matches!(board.place(&name("b"), score), Err(ScoresError::NoScore)));
         }
         assert_eq!(shown(&board), [("a", 20)]);
-        assert_eq!(board.place(&name("b"), 1).unwrap().rank(), 2);
+        assert_eq!(board.place(&name("b"), 1).unwrap(), Placement::New { rank: 2 });
     }
 
     #[test]

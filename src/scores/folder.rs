@@ -1,7 +1,5 @@
-//! The folder of the scores files: a leaderboard a level with the flights of its rows, the players' records, and a line an attempt.
-//!
-//! The list of attempts: a line for each finished one, for spreadsheets and people. The game only adds to it, and reads none of its rows. RFC 4180, CRLF,
-//! UTF-8.
+//! The folder of the scores files: a leaderboard a level with the flights of its rows, the players' records, and `attempts.csv`, a line for each
+//! finished attempt, for spreadsheets and people: the game only adds to it, and reads none of its rows. RFC 4180, CRLF, UTF-8.
 
 use super::board::{self, Board, Placement};
 use super::name::{Name, ScoresError};
@@ -13,7 +11,6 @@ use std::path::{Path, PathBuf};
 
 const PLAYERS: &str = "players.csv";
 const ATTEMPTS: &str = "attempts.csv";
-/// Each level has a folder in it.
 const FLIGHTS: &str = "flights";
 const ENDING: &str = ".replay.csv";
 
@@ -25,7 +22,6 @@ pub struct Scores {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoadedBoard {
     pub board: Board,
-    /// The unreadable places.
     pub damage: Vec<String>,
 }
 
@@ -33,7 +29,6 @@ pub struct LoadedBoard {
 pub struct Score<'a> {
     pub name: &'a Name,
     pub points: i64,
-    /// The proof of the row.
     pub flight: Option<&'a Replay>,
 }
 
@@ -138,7 +133,6 @@ impl Scores {
         })
     }
 
-    /// Adds attempts.
     pub fn append(&self, attempts: &[AttemptRow]) -> Result<(), ScoresError> {
         let lines: String = attempts.iter().map(line).collect();
         append(&self.folder.join(ATTEMPTS), HEADER, &lines)

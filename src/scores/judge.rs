@@ -1,5 +1,4 @@
-//! Whether the rows of a leaderboard are earned: each flight is flown again in the level as it is and has to come to the row's score.
-//! Checks without a flight come first.
+//! Whether the rows of a leaderboard are earned: each flight is flown again and has to come to the row's score. Checks without a flight come first.
 
 use super::board::{Board, BoardRow};
 use super::{folder::Scores, name::Name};

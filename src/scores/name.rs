@@ -59,7 +59,6 @@ impl Name {
         Self::new(text).map(|_| text.into()).map_err(|error| tr!("a user name: {error}", error))
     }
 
-    /// For a player without a chosen name.
     pub fn guest() -> Self {
         Self(GUEST.to_owned())
     }
@@ -154,11 +153,9 @@ impl<'a> DamageReport<'a> {
 pub enum ScoresError {
     /// Below 1.
     NoScore,
-    /// It cannot name a file.
     LevelName(String),
     /// These places of the file cannot be read, and would be lost.
     Damaged(Vec<String>),
-    /// It is no list of such rows.
     Foreign(PathBuf),
     Save(SaveError),
 }

@@ -21,7 +21,6 @@ use serde::Deserialize;
 
 const FILE: CsvFile<'_> = CsvFile { name: "", columns: &["player", "level", "time", "medal", "mark"], comments: false };
 
-/// A level that a player has done; a row without a level names a player.
 #[derive(Deserialize)]
 struct DoneRow {
     player: Name,
@@ -110,15 +109,12 @@ impl PlayerRecord {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Deed {
-    /// Chosen, or made.
     Chosen(Name),
-    /// Completed a level.
+    /// Completed a level, in a time in s, from 0, finite, `None` for a flight with help, whose time does not count; with bronze at least.
     Done {
         player: Name,
         level: String,
-        /// s, from 0, finite; `None` for a flight with help, whose time does not count.
         time: Option<f64>,
-        /// Bronze at least.
         medals: Medals,
     },
 }
@@ -237,7 +233,6 @@ pub(crate) fn harmless(text: &str) -> Cow<'_, str> {
     if text.starts_with(['=', '+', '-', '@', '\t', '\r', '\'']) { format!("'{text}").into() } else { text.into() }
 }
 
-/// The inverse of [`harmless`].
 pub(super) fn unharmed(cell: &str) -> &str {
     cell.strip_prefix('\'').unwrap_or(cell)
 }

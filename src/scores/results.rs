@@ -1,7 +1,5 @@
-//! Sums over lists of attempts and of answers to experiments, from any number of files.
-//!
-//! Answers to experiments: a file a player, a row a reading, the prediction in the first row that is handed in with it, for teachers and
-//! their spreadsheets. The game only adds rows. RFC 4180, CRLF, UTF-8 behind a byte-order mark, without which Excel takes it for another encoding.
+//! Sums over lists of attempts and of answers to experiments. Answers: a file a player, a row a reading, the prediction in the first row that is handed
+//! in with it. The game only adds rows. RFC 4180, CRLF, UTF-8 behind a byte-order mark, without which Excel takes it for another encoding.
 
 use super::folder::{self, as_text};
 use super::name::{Name, ScoresError};

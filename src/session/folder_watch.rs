@@ -9,7 +9,6 @@ use std::time::SystemTime;
 /// From one look to the next, s. A change counts when two looks have found the same: an editor may be writing still.
 const EVERY: f64 = 0.1;
 
-/// The files of a folder from the outside: names, sizes, times.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Stamp(Vec<(PathBuf, u64, (Option<SystemTime>, u64))>);
 
@@ -27,7 +26,6 @@ impl Stamp {
         Self(files.into_iter().filter_map(seen).collect())
     }
 
-    /// What is in those files, in short.
     fn content(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
         for (path, ..) in &self.0 {
@@ -43,7 +41,6 @@ fn counts(path: &Path) -> bool {
     !name.starts_with('.') && (name.ends_with(".csv") || name.ends_with(".png"))
 }
 
-/// Watches a level's folder.
 #[derive(Debug)]
 pub struct FolderWatch {
     pub folder: PathBuf,
@@ -52,7 +49,6 @@ pub struct FolderWatch {
     /// As it was when it was read.
     known: Stamp,
     content: u64,
-    /// As it was at the last look.
     last: Stamp,
     /// Until the next look, s.
     wait: f64,

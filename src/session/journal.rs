@@ -1,7 +1,5 @@
-//! Who plays, and what they have done: known at once, and on disk as soon as that can be.
-//!
-//! Answers to experiments: each goes to the player's file in `results/`, and its sheet says so, or why not. A browser also hands the file
-//! to the pupil who presses Save. A sheet outlasts its flight, and what is written on it is saved when the flight is left.
+//! Who plays, and what they have done: known at once, and on disk as soon as that can be. Answers to experiments: a file a player in `results/`,
+//! which a browser also hands to the pupil who presses Save. A sheet outlasts its flight, and what is written on it is saved when the flight is left.
 
 use super::library::{self, Experiment};
 use crate::game::{Game, Medals, Outcome, RunResult};
@@ -10,16 +8,13 @@ use crate::scores::{AttemptRow, Deed, Name, PlayerRecord, Players, ResultRow, Re
 use crate::{ui::EntryField, words::tr};
 use std::collections::BTreeMap;
 
-/// What a lost attempt brings.
 const LOST: &str = "A lost attempt scores 0 and cannot be saved.";
 
-/// The players, and what waits to be written down.
 #[derive(Debug)]
 pub struct Journal {
     scores: Scores,
     players: Players,
     current: Name,
-    /// What is not on disk yet.
     deeds: Vec<Deed>,
     attempts: Vec<AttemptRow>,
     /// The deeds of this sitting before the player had a name.
@@ -58,12 +53,10 @@ impl Journal {
         self.deeds.iter().for_each(|deed| self.players.apply(deed));
     }
 
-    /// Who plays.
     pub fn current(&self) -> &Name {
         &self.current
     }
 
-    /// All players.
     pub fn players(&self) -> &Players {
         &self.players
     }
@@ -77,7 +70,6 @@ impl Journal {
         self.player().and_then(|player| player.best(level))
     }
 
-    /// The medals that a level has brought the player.
     pub fn medals(&self, level: &str) -> Medals {
         self.player().map(|player| player.medals(level)).unwrap_or_default()
     }
@@ -142,22 +134,18 @@ impl Journal {
         self.deeds.push(deed);
     }
 
-    /// Tries once more to write down what waits.
     pub fn try_again(&mut self) {
         if !self.is_written() {
             self.save();
         }
     }
 
-    /// Writes down what waits. What cannot be written waits for the next deed, the menu or the end of the sitting.
+    /// What cannot be written waits for the next deed, the menu or the end of the sitting.
     fn save(&mut self) {
         self.trouble = self.close().err().map(|error| error.to_string());
     }
 
-    /// Writes down what waits.
-    ///
-    /// # Errors
-    /// Why it cannot be; it still waits then.
+    /// Writes down what waits. Errors: why it cannot be; it still waits then.
     pub fn close(&mut self) -> Result<(), ScoresError> {
         // A list that cannot be written holds up no other.
         let deeds =
@@ -177,13 +165,11 @@ impl Journal {
     }
 }
 
-/// The answers of this run of the game.
 #[derive(Debug)]
 pub struct Answers {
     results: Results,
     /// The sheets of experiments as they were left, by folder.
     pub sheets: BTreeMap<String, Worksheet>,
-    /// What cannot be written.
     unsaved: Vec<ResultRow>,
 }
 
@@ -193,9 +179,7 @@ impl Answers {
     }
 
     /// Saves the rows of a sheet, handed in by that player at that time, s; what is not saved waits for the end. What became of it, in words.
-    ///
-    /// # Errors
-    /// Why it is not saved.
+    /// Errors: why it is not saved.
     pub fn hand_in(&mut self, rows: Vec<ResultRow>, player: &Name, now: f64) -> Result<String, String> {
         let own = |row| ResultRow { player: player.clone(), time: time_of(now), ..row };
         let rows: Vec<ResultRow> = rows.into_iter().map(own).collect();
@@ -231,7 +215,6 @@ impl Answers {
     }
 }
 
-/// A cell of the sheet's table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reading {
     pub text: String,
@@ -246,11 +229,9 @@ pub struct WrittenSheet {
     pub readings: Vec<Reading>,
 }
 
-/// The sheet of an experiment.
 #[derive(Debug)]
 pub struct Worksheet {
     pub experiment: Experiment,
-    /// Whether it stands beside the flight.
     pub open: bool,
     pub entry: EntryField,
     pub written: WrittenSheet,
@@ -260,7 +241,6 @@ pub struct Worksheet {
     pub begun: bool,
     /// Whether the answer is shown: the readings stay as they are then.
     pub answered: bool,
-    /// What was saved last, and before that.
     saved: [WrittenSheet; 2],
     /// The outcome of the last press; an error is a problem.
     pub message: Result<String, String>,
@@ -282,7 +262,6 @@ impl Worksheet {
         }
     }
 
-    /// Whether a prediction can still be made or changed.
     pub const fn predicts(&self) -> bool {
         self.predicted.is_none() && !self.begun
     }
@@ -294,7 +273,6 @@ impl Worksheet {
         }
     }
 
-    /// What became of the rows that were to be saved.
     pub fn set_message(&mut self, message: Result<String, String>) {
         if message.is_err() {
             self.saved[0] = self.saved[1].clone();

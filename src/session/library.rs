@@ -1,22 +1,15 @@
-//! The levels on disk, as the screens list them, the tile run's map and commands, and the charts that were measured here.
-//!
-//! A new file in a folder, whole or not at all, that never takes the place of another one.
-//!
-//! An attempt at a level, and its record.
-//!
-//! An experiment of the Lab, as the `experiments.csv` of their folder lists it.
+//! The levels on disk, as the screens list them, the tile run's map and commands, the charts that were measured here, and experiments.
+//! Also a new file in a folder, whole or not at all, that never takes the place of another one, and an attempt at a level with its record.
 
 use super::folder_watch::FolderWatch;
 use crate::classics::tile_run::{Command, Map};
 use crate::files::{self, CHART, CsvFile, CsvRow, EXPERIMENTS, TILE_COMMANDS, TILE_MAP, read_text};
 use crate::game::{History, Inputs, Replay};
-use crate::instruments::reading::Wanted;
 use crate::lab::{charts::Charts, kept};
 use crate::level::{self, Landscape, Level};
-use crate::words::tr;
-use std::io;
+use crate::{instruments::reading::Wanted, words::tr};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::{io, sync::Arc};
 
 /// Where the tile run's `map.txt` and `commands.txt` are, from the project's root.
 const TILE_RUN: &str = "assets/tile_run";
@@ -28,7 +21,6 @@ const NEEDED: usize = 4;
 /// Where `resultant chart` writes, from the project's root.
 const CHARTS: &str = "charts";
 
-/// A level in words.
 pub fn named(name: &str) -> String {
     tr!("level {name}", name)
 }
@@ -36,14 +28,11 @@ pub fn named(name: &str) -> String {
 /// Why a level cannot be played: a line a problem.
 pub type Refusal = Vec<String>;
 
-/// A run of `resultant chart`.
 #[derive(Clone, Debug, Default)]
 pub struct Shown {
     /// Empty where no run could be read.
     pub charts: Charts,
-    /// Whether it came with the game.
     pub kept: bool,
-    /// The reason why it is not the player's own run.
     pub problem: Option<String>,
 }
 
@@ -59,7 +48,6 @@ pub struct Library {
 }
 
 impl Library {
-    /// The levels in `levels`, with images under `root`.
     pub fn new(root: impl Into<PathBuf>, levels: impl Into<PathBuf>) -> Self {
         Self { root: root.into(), levels: levels.into(), outside: None, prepared: None }
     }
@@ -69,22 +57,18 @@ impl Library {
         level::list(&self.levels)
     }
 
-    /// The level after that one in the list.
     pub fn after(&self, name: &str) -> Option<String> {
         self.names().into_iter().skip_while(|other| other != name).nth(1)
     }
 
-    /// The project's folder.
     pub fn root(&self) -> &Path {
         &self.root
     }
 
-    /// The folder of levels.
     pub fn levels(&self) -> &Path {
         &self.levels
     }
 
-    /// The folder of a level.
     pub fn folder(&self, name: &str) -> PathBuf {
         let outside = self.outside.iter().find(|folder| folder.file_name().is_some_and(|own| own.to_string_lossy() == name));
         outside.cloned().unwrap_or_else(|| self.levels.join(name))
@@ -120,25 +104,16 @@ impl Library {
         FolderWatch::new(folder, level.pictures().cloned().collect())
     }
 
-    /// Reads a level.
-    ///
-    /// # Errors
-    /// All its problems, a line each.
+    /// Reads a level. Errors: all its problems, a line each.
     pub fn load(&self, name: &str) -> Result<Arc<Level>, Refusal> {
         let folder = self.folder(name);
         if let Some((_, level)) = self.prepared.as_ref().filter(|(known, _)| *known == folder) {
             return level.clone();
         }
-        match level::load(&folder, &self.root) {
-            Ok(loaded) => Ok(Arc::new(loaded.level)),
-            Err(problems) => Err(level::listed(&problems)),
-        }
+        load(&folder, &self.root)
     }
 
-    /// The experiments, as the `experiments.csv` of their folder lists them.
-    ///
-    /// # Errors
-    /// The list is missing or damaged.
+    /// The experiments, as the `experiments.csv` of their folder lists them. Errors: the list is missing or damaged.
     pub fn experiments(&self) -> Result<Vec<Experiment>, String> {
         let folder = self.root.join(EXPERIMENTS);
         let list = format!("{EXPERIMENTS}/experiments.csv");
@@ -165,15 +140,11 @@ impl Library {
         file.rows(text.as_bytes()).filter(|row| !row.is_header(NEEDED)).map(experiment).collect()
     }
 
-    /// The folder of an experiment.
     pub fn experiment(&self, name: &str) -> PathBuf {
         self.root.join(EXPERIMENTS).join(name)
     }
 
-    /// The map of the tile run and the commands to watch, from `assets/tile_run/`.
-    ///
-    /// # Errors
-    /// The first problem, with file and line.
+    /// The map of the tile run and the commands to watch, from `assets/tile_run/`. Errors: the first problem, with file and line.
     pub fn tile_run(&self) -> Result<(Map, Vec<Command>), String> {
         let folder = self.root.join(TILE_RUN);
         Ok((
@@ -203,11 +174,15 @@ fn read<T>(path: PathBuf, at_most: u64, parse: impl Fn(&str) -> Result<T, String
     parse(&text).map_err(|error| format!("{}:{error}", path.display()))
 }
 
+/// As [`Library::load`].
+pub fn load(folder: &Path, root: &Path) -> Result<Arc<Level>, Refusal> {
+    level::load(folder, root).map(|loaded| Arc::new(loaded.level)).map_err(|problems| level::listed(&problems))
+}
+
 fn text(folder: &Path, file: &str) -> Result<String, String> {
     read_text(&folder.join(file), CHART).map_err(|error| format!("{file}: {error}"))
 }
 
-/// Whether that is a folder, or a file as levels have them.
 pub fn is_of_level(path: &Path) -> bool {
     files::is_folder(path)
         || path.extension().is_some_and(|ending| ["csv", "png"].iter().any(|own| ending.eq_ignore_ascii_case(own)))
@@ -225,10 +200,8 @@ pub fn hand_out(path: &Path) {
 #[cfg(not(all(feature = "window", browser)))]
 pub const fn hand_out(_: &Path) {}
 
-/// The most files of one name.
 const MOST_OF_A_NAME: u32 = 10_000;
 
-/// A file that is to be.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NewFile {
     /// Its name up to a number, which it gets where there is one already.
@@ -244,9 +217,7 @@ pub struct NewFile {
 
 impl NewFile {
     /// Writes it into a folder, which is made where there is none; the answer is where.
-    ///
-    /// # Errors
-    /// Whatever the system refuses, with the place. Nothing is left behind then.
+    /// Errors: whatever the system refuses, with the place. Nothing is left behind then.
     pub fn write(&self, folder: &Path) -> Result<PathBuf, String> {
         if let Some(path) = self.handed_out(folder) {
             return Ok(path);
@@ -284,24 +255,20 @@ impl NewFile {
     }
 }
 
-/// A level, and the inputs that replace the keys, if any.
 #[derive(Clone, Debug)]
 pub struct Attempt {
     pub level: Arc<Level>,
     /// Recorded inputs, played from the first tick on.
     pub inputs: Option<Arc<Inputs>>,
-    /// Recorded flights that fly along as ghosts.
     pub rivals: Vec<Rival>,
 }
 
 impl Attempt {
-    /// A flight by hand, alone.
     pub const fn by_hand(level: Arc<Level>) -> Self {
         Self { level, inputs: None, rivals: Vec::new() }
     }
 }
 
-/// A flight by hand that is over.
 #[derive(Clone, Debug)]
 pub struct Flown {
     pub level: Arc<Level>,
@@ -309,7 +276,6 @@ pub struct Flown {
     pub history: History,
 }
 
-/// A recorded flight that flies along.
 #[derive(Clone, Debug)]
 pub struct Rival {
     /// Whose it is, in a word or two.
@@ -340,7 +306,6 @@ impl Experiment {
         self.predicted()?.judge(text)
     }
 
-    /// The number that is to be predicted, where one is.
     pub fn predicted(&self) -> Option<Wanted> {
         if self.choices.is_empty() { Wanted::new(&self.question, &self.right) } else { None }
     }

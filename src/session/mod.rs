@@ -14,27 +14,20 @@ use crate::ui::input::Clipboard;
 use crate::words::{self, tr};
 use journal::{Answers, Journal};
 use library::{Flown, Library};
-use std::collections::BTreeMap;
-use std::path::PathBuf;
-use std::rc::Rc;
+use std::{collections::BTreeMap, path::PathBuf, rc::Rc};
 use worker::{Brought, Errand, Worker};
 
-/// What is said of a flight that was watched.
 const RECORDING: &str = "A recording: what was not flown by hand is not saved.";
 
-/// A score on its way to its leaderboard.
 #[derive(Clone, Debug)]
 pub struct Gain {
     /// The leaderboard: that of a level, by its name, or that of the jumper.
     pub board: String,
-    /// What it is of, in words.
     pub subject: String,
     pub points: i64,
-    /// How they were flown, where that is known.
     pub flown: Option<Rc<Flown>>,
 }
 
-/// Where the game's files are.
 #[derive(Clone, Debug)]
 pub struct Places {
     /// Where image paths in level files start from.
@@ -76,7 +69,6 @@ pub struct Session {
 }
 
 impl Session {
-    /// The last player's.
     pub fn new(places: Places, worker: Worker) -> Self {
         let scores = Scores::new(&places.scores);
         let settings_file = SettingsFile::new(&places.settings);
@@ -106,7 +98,6 @@ impl Session {
         }
     }
 
-    /// Takes new settings over and saves them.
     pub fn set(&mut self, settings: Settings) {
         self.settings = settings;
         words::speak(settings.spoken());
@@ -129,12 +120,10 @@ impl Session {
         self.settings_problems.extend(closed.err().map(|error| error.to_string()));
     }
 
-    /// The reading of a level, by its name.
     pub fn level_errand(&self, name: &str) -> Errand {
         Errand::Level(self.library.folder(name), self.library.root().to_path_buf())
     }
 
-    /// Holds ready what the worker has read, for the screen that opens.
     pub fn prepare(&mut self, brought: Brought) {
         match brought {
             Brought::Level(folder, level) => self.library.prepared = Some((folder, level)),
@@ -142,7 +131,6 @@ impl Session {
         }
     }
 
-    /// Every file is read again.
     pub fn forget_prepared(&mut self) {
         (self.library.prepared, self.brought) = (None, None);
     }
@@ -160,9 +148,7 @@ impl Session {
     }
 
     /// Saves a score under the player's name; what is to be said of it. What cannot be saved, or is a guest's, waits.
-    ///
-    /// # Errors
-    /// Why it cannot be saved yet, in words.
+    /// Errors: why it cannot be saved yet, in words.
     pub fn save(&mut self, gain: Gain) -> Result<Option<String>, String> {
         let name = self.journal.current().clone();
         let saved = if name.is_guest() { Ok(None) } else { write_score(&self.scores, &name, &gain) };
@@ -205,7 +191,6 @@ impl Session {
     }
 }
 
-/// What is to be said of a score that is saved besides its row.
 fn write_score(scores: &Scores, name: &Name, gain: &Gain) -> Result<Option<String>, String> {
     let score = Score { name, points: gain.points, flight: gain.flown.as_ref().map(|flown| &flown.replay) };
     let Saved { placement, .. } = scores.save_with_flight(&gain.board, score).map_err(|error| error.to_string())?;

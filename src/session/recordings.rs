@@ -6,15 +6,12 @@ use crate::scores::{Board, Name, Scores};
 use crate::session::library::{Attempt, Flown, NewFile, Rival};
 use crate::{level::Level, pack, session::Session, words::tr};
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
-use std::sync::Arc;
+use std::{rc::Rc, sync::Arc};
 
-/// Which flights are looked at, and from where.
 #[derive(Clone, Debug)]
 pub struct Visit {
     /// The level's folder name.
     pub level: String,
-    /// What was just flown there.
     pub flown: Option<Rc<Flown>>,
     /// The file of the board's flight that is looked for.
     pub chosen: Option<String>,
@@ -26,28 +23,20 @@ impl Visit {
     }
 }
 
-/// Where a flight is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FlightSource {
     Flown,
-    /// In a file of the level.
     Level(PathBuf),
-    /// A row of the board names its file.
     Row(String),
-    /// A code that a player pasted.
     Code(String),
 }
 
-/// A flight that can be watched.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlightCandidate {
-    /// Whose it is.
     pub name: String,
-    /// What else is to be said of it.
     pub about: String,
-    /// What it came to, where that is known.
     pub score: Option<i64>,
-    /// How long it took, s, where that is known.
+    /// s.
     pub time: Option<f64>,
     pub source: FlightSource,
 }
@@ -81,7 +70,6 @@ const OWN: [(&str, &str, &str); 4] = [
     ("mark", "Mark", "the level's own, for its mark"),
     ("careful", "Careful", "the level's own, slow and safe"),
 ];
-/// How the files of flights end.
 const ENDING: &str = ".replay.csv";
 
 /// The flights of a level: what was just flown, the player's best, the level's own in its folder, and the rest of the board.
@@ -125,7 +113,6 @@ pub fn rivals(folder: &Path, level: &Level) -> Vec<BoardRival> {
     OWN.iter().filter_map(rival).collect()
 }
 
-/// The level's own flight for gold, from its start.
 pub fn gold(folder: &Path, level: Arc<Level>) -> Option<Reel> {
     let replay = for_gold(folder, &level)?;
     Reel::new(level, &replay.inputs, replay.tick_rate).ok()
@@ -142,10 +129,7 @@ fn own(folder: &Path, file: &str, here: LevelHash) -> Option<Replay> {
     (replay.outcome == Outcome::Completed).then_some(replay)
 }
 
-/// The record of one of them, which was flown in that level.
-///
-/// # Errors
-/// It cannot be read, or it was flown in another level, in words.
+/// The record of one of them, which was flown in that level. Errors: it cannot be read, or it was flown in another level, in words.
 pub fn record(visit: &Visit, candidate: &FlightCandidate, scores: &Scores, level: &Level) -> Result<Replay, String> {
     let replay = read(visit, &candidate.source, scores)?;
     if replay.level_hash == level_hash(level) {
@@ -154,10 +138,7 @@ pub fn record(visit: &Visit, candidate: &FlightCandidate, scores: &Scores, level
     Err(tr!("{name}: flown in another version of the level, or in another level.", name = candidate.name))
 }
 
-/// The record of a flight as it lies there, in whatever level it was flown.
-///
-/// # Errors
-/// It cannot be read, in words.
+/// The record of a flight as it lies there, in whatever level it was flown. Errors: it cannot be read, in words.
 pub fn read(visit: &Visit, source: &FlightSource, scores: &Scores) -> Result<Replay, String> {
     Ok(match source {
         FlightSource::Flown => visit.flown.as_ref().map(|flown| flown.replay.clone()).ok_or(tr("there is no flight"))?,
@@ -174,7 +155,6 @@ pub fn read(visit: &Visit, source: &FlightSource, scores: &Scores) -> Result<Rep
 }
 
 impl Session {
-    /// The level of a flight that is looked at.
     fn level_of(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<Arc<Level>, String> {
         match (&candidate.source, &visit.flown) {
             // As it was then.
@@ -183,10 +163,7 @@ impl Session {
         }
     }
 
-    /// A flight that is to be watched, and its title.
-    ///
-    /// # Errors
-    /// It cannot be read, or was flown in another level, in words; so of all that follow.
+    /// A flight that is to be watched, and its title. Errors: it cannot be read, or was flown in another level, in words; so of all that follow.
     pub fn reel(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<(String, Reel), String> {
         let level = self.level_of(visit, candidate)?;
         let title = format!("{} · {}", tr(&level.title), candidate.name);
@@ -200,7 +177,6 @@ impl Session {
         Ok((title, reel))
     }
 
-    /// A flight by hand against those.
     pub fn race(&self, visit: &Visit, candidates: &[FlightCandidate]) -> Result<Attempt, String> {
         let level = self.library.load(&visit.level).map_err(|refusal| refusal.into_iter().next().unwrap_or_default())?;
         let rival = |candidate: &FlightCandidate| {
@@ -219,7 +195,6 @@ impl Session {
         Ok(Attempt { rivals, ..Attempt::by_hand(level) })
     }
 
-    /// Keeps a flight as a file, and says where.
     pub fn keep_flight(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
         let replay = self.named_record(visit, candidate)?;
         let whose: String = candidate.name.to_lowercase().chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
@@ -230,7 +205,6 @@ impl Session {
         Ok(tr!("Kept as {path}", path = path.display()))
     }
 
-    /// Copies a flight's code, and says how long it is.
     pub fn copy_code(&mut self, visit: &Visit, candidate: &FlightCandidate) -> Result<String, String> {
         let replay = self.named_record(visit, candidate)?;
         let code = replay.code()?;
@@ -239,7 +213,6 @@ impl Session {
         Ok(words)
     }
 
-    /// A record, with the player's name where it was just flown.
     fn named_record(&self, visit: &Visit, candidate: &FlightCandidate) -> Result<Replay, String> {
         let level = self.level_of(visit, candidate)?;
         let mut replay = record(visit, candidate, &self.scores, &level)?;

@@ -1,41 +1,31 @@
 //! The worker beside the screens: it reads and judges levels, one errand after the other, so that no frame waits for a disk or a large
 //! level. A test steps it by hand.
 
-use crate::draw::Image;
-use crate::game::Reel;
-use crate::import;
+use super::{folder_watch::Stamp, library::Refusal, library::load, recordings};
 use crate::level::document::{LevelFolder, Opened};
 use crate::level::{self, Awards, Level};
-use crate::pack::Installed;
-use crate::session::folder_watch::Stamp;
-use crate::session::library::Refusal;
-use crate::session::recordings;
-use crate::view::painting;
 use crate::words::{self, Language};
-use std::collections::VecDeque;
-use std::path::PathBuf;
+use crate::{draw::Image, game::Reel, import, pack::Installed, view::painting};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::thread;
+use std::{collections::VecDeque, path::PathBuf, thread};
 
-/// What is to be read, with all that it takes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Errand {
     /// The level in a folder; images are looked up there, then under the second folder, the project's.
     Level(PathBuf, PathBuf),
-    /// What the card of that level shows.
     Card(PathBuf, PathBuf),
-    /// The files of the level in a folder, to be edited.
     Editor(PathBuf, PathBuf),
-    /// An archive is to be installed.
-    Install { archive: PathBuf, levels: PathBuf, root: PathBuf },
-    /// The names of the levels in a folder.
+    Install {
+        archive: PathBuf,
+        levels: PathBuf,
+        root: PathBuf,
+    },
     List(PathBuf),
     /// The first of these levels that loads; and of the level in the last folder, if any, its flight for gold.
     First(Vec<PathBuf>, PathBuf, Option<PathBuf>),
 }
 
-/// What a card shows of a level.
 #[derive(Clone, Debug)]
 pub struct Card {
     pub folder: PathBuf,
@@ -47,7 +37,6 @@ pub struct Card {
     pub proven: Option<Vec<&'static str>>,
 }
 
-/// What has come of an errand.
 #[derive(Debug)]
 pub enum Brought {
     /// Of [`Errand::Level`], with its folder.
@@ -62,10 +51,6 @@ pub enum Brought {
 
 impl Errand {
     fn run(self) -> Brought {
-        let load = |folder: &PathBuf, root: &PathBuf| match level::load(folder, root) {
-            Ok(loaded) => Ok(Arc::new(loaded.level)),
-            Err(problems) => Err(level::listed(&problems)),
-        };
         match self {
             Self::Level(folder, root) => {
                 let level = load(&folder, &root);
@@ -94,26 +79,21 @@ impl Errand {
     }
 }
 
-/// By which an errand is known.
 pub type Ticket = u64;
 
-/// Errands that wait, and what has come of others.
 #[derive(Debug)]
 pub struct Worker {
     last: Ticket,
     at: At,
 }
 
-/// Where errands are done.
 #[derive(Debug)]
 enum At {
     /// On the screen's thread: the given number of errands, or without a number each as it is asked for.
     Here(VecDeque<(Ticket, Errand)>, Option<usize>),
-    /// On a thread of their own.
     Beside(Arc<Desk>, Receiver<(Ticket, Brought)>),
 }
 
-/// What the thread waits for.
 #[derive(Debug, Default)]
 struct Desk {
     waiting: Mutex<Waiting>,
@@ -192,7 +172,6 @@ impl Worker {
         self.last
     }
 
-    /// Forgets an errand that has not been begun.
     pub fn forget(&mut self, ticket: Ticket) {
         let keep = |errands: &mut VecDeque<(Ticket, Errand)>| errands.retain(|(other, _)| *other != ticket);
         match &mut self.at {
@@ -201,7 +180,6 @@ impl Worker {
         }
     }
 
-    /// What has come of the next errand, where that is known.
     pub fn bring(&mut self) -> Option<(Ticket, Brought)> {
         match &mut self.at {
             At::Here(errands, left) => {
@@ -233,7 +211,6 @@ impl Drop for Worker {
     }
 }
 
-/// Does errands until nobody asks any more.
 fn work(desk: &Desk, to: &Sender<(Ticket, Brought)>) {
     while let Some((ticket, errand)) = desk.next() {
         if to.send((ticket, errand.run())).is_err() {

@@ -93,7 +93,6 @@ impl Action {
         self as usize <= Self::Right as usize
     }
 
-    /// The name of a key of it, as on the player's keyboard.
     pub fn label_of(self, key: Key) -> String {
         if self.is_by_place() { key.label_by_place() } else { key.label() }
     }
@@ -103,7 +102,6 @@ impl Action {
     }
 }
 
-/// Up to two keys an action.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bindings([[Option<Key>; 2]; ACTIONS]);
 
@@ -122,8 +120,7 @@ impl Bindings {
         self.0[action as usize] = keys;
     }
 
-    /// Whether one of these keys does it. Esc always pauses too, so that no player is locked in. A key that flies does nothing
-    /// else.
+    /// Whether one of these keys does it. Esc always pauses too, so that no player is locked in. A key that flies does nothing else.
     pub fn does(&self, action: Action, keys: Keys) -> bool {
         let escapes = action == Action::Pause && keys.has(Key::Escape);
         let mut own = self.of(action).into_iter().flatten().filter(|key| action.flies() || !self.flies(*key));
@@ -138,24 +135,20 @@ impl Bindings {
         signs.any(|sign| !matches!(sign, '[' | ']') && !layout::has(sign))
     }
 
-    /// Whether a key, by what it types, flies.
     fn flies(&self, key: Key) -> bool {
         Action::ALL[..FLYING].iter().any(|action| self.typed(*action).contains(&Some(key)))
     }
 
-    /// Another action of the same key.
     pub fn conflict(&self, action: Action, key: Key) -> Option<Action> {
         let key = if action.is_by_place() { layout::key_at(key) } else { key };
         Action::ALL.into_iter().find(|other| *other != action && self.typed(*other).contains(&Some(key)))
     }
 
-    /// The keys of an action by what they type.
     fn typed(&self, action: Action) -> [Option<Key>; 2] {
         let by_place = |key: Key| if action.is_by_place() { layout::key_at(key) } else { key };
         self.of(action).map(|key| key.map(by_place))
     }
 
-    /// `Space or W`.
     pub fn label(&self, action: Action) -> String {
         let labels: Vec<String> = self.of(action).into_iter().flatten().map(|key| action.label_of(key)).collect();
         if labels.is_empty() { tr("no key").to_owned() } else { labels.join(&format!(" {} ", tr("or"))) }

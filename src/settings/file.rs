@@ -133,7 +133,6 @@ fn set(row: &CsvRow<'_>, settings: &mut Settings) -> Result<(), String> {
     target.read(&value, settings).map_err(|expected| found_instead(&place, format_args!("{value:?}"), expected))
 }
 
-/// `text` with the settings of a player.
 fn merged(text: &str, player: &str, settings: &Settings) -> String {
     let stale = |row: &CsvRow<'_>| {
         let of_player = |cells: SettingCells| cells.player == cells.setting.owner(player);
@@ -168,8 +167,7 @@ impl SettingsFile {
         Self { path: path.into(), unsaved: Vec::new() }
     }
 
-    /// The settings for a player (`""` for the rows of everyone), and the file's faults, a line each. Without a file they are the
-    /// defaults.
+    /// The settings for a player (`""` for the rows of everyone), and the file's faults, a line each. Without a file they are the defaults.
     pub fn load(&self, player: &str) -> (Settings, Vec<String>) {
         match files::text_if_there(&self.path, SETTINGS) {
             Ok(text) => read(&text.unwrap_or_default(), player),
@@ -196,7 +194,6 @@ impl SettingsFile {
         Ok(())
     }
 
-    /// Whether settings wait for a write.
     pub fn waits(&self) -> bool {
         !self.unsaved.is_empty()
     }

@@ -6,13 +6,8 @@ use crate::words::{Language, tr};
 
 #[derive(Clone, Copy)]
 enum Values {
-    Percent {
-        least: u8,
-        most: u8,
-        step: u8,
-    },
+    Percent { least: u8, most: u8, step: u8 },
     Words(&'static [&'static str]),
-    /// Empty in the file: the system's.
     Languages,
 }
 
@@ -22,6 +17,7 @@ const SCALE: Values = Values::Percent { least: 80, most: 190, step: 10 };
 const SPEED: Values = Values::Percent { least: 50, most: 100, step: 10 };
 const SWITCH: Values = Values::Words(&["off", "on"]);
 const COLOURS: Values = Values::Words(&["standard", "safe", "contrast", "projector"]);
+/// Empty in the file: the system's.
 const LANGUAGES: Values = Values::Languages;
 const PALETTES: [Palette; 4] = [Palette::Standard, Palette::Safe, Palette::HighContrast, Palette::Projector];
 
@@ -88,7 +84,6 @@ items! {
 }
 
 impl Item {
-    /// As the list shows it.
     pub fn value(self, settings: &Settings) -> String {
         match self.values() {
             Values::Percent { .. } => format!("{} %", self.get(settings)),
@@ -97,7 +92,6 @@ impl Item {
         }
     }
 
-    /// As the file holds it.
     pub fn written(self, settings: &Settings) -> String {
         let place = self.get(settings);
         match self.values() {
@@ -136,13 +130,8 @@ impl Item {
     pub fn change(self, up: bool, settings: &mut Settings) {
         let now = self.get(settings);
         let next = match self.values() {
-            Values::Percent { least, most, step } => {
-                if up {
-                    (now + step).min(most)
-                } else {
-                    now.saturating_sub(step).max(least)
-                }
-            }
+            Values::Percent { most, step, .. } if up => (now + step).min(most),
+            Values::Percent { least, step, .. } => now.saturating_sub(step).max(least),
             Values::Words(_) | Values::Languages => {
                 let count = if let Values::Words(words) = self.values() { words.len() } else { Language::ALL.len() } as u8;
                 (now + if up { 1 } else { count - 1 }) % count
@@ -178,10 +167,8 @@ impl Item {
     }
 }
 
-/// Colours with a meaning.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Palette {
-    /// Of the art direction.
     #[default]
     Standard,
     /// Distinct in the three common kinds of colour blindness.
@@ -230,19 +217,16 @@ pub struct Settings {
     pub scale: u8,
     /// Of the screen at a hit: 0 … 100.
     pub shake: u8,
-    /// At hits and deaths.
     pub flash: bool,
     /// The share that is drawn: 0 … 100.
     pub particles: u8,
     pub palette: Palette,
     pub timer: bool,
-    /// The arrow at the ship.
     pub velocity: bool,
     pub assists: Assists,
 }
 
 impl Settings {
-    /// The language that the screens speak.
     pub fn spoken(&self) -> Language {
         self.language.unwrap_or_else(Language::of_system)
     }

@@ -46,7 +46,6 @@ macro_rules! named_keys {
         }
 
         impl Key {
-            /// With a name.
             pub const ALL: &[Self] = &[$(Self::$name),*];
 
             /// Its bit in a set; a sign has none.
@@ -106,7 +105,6 @@ impl Key {
         }
     }
 
-    /// Whether its name is a letter's.
     pub(crate) fn is_letter(self) -> bool {
         self.to_string().len() == 1 && !matches!(self, Self::Sign(_))
     }
@@ -182,7 +180,6 @@ impl fmt::Display for Key {
     }
 }
 
-/// As it stands on a key.
 fn on_key(sign: char) -> String {
     let mut capital = sign.to_uppercase();
     match (capital.next(), capital.next()) {
@@ -216,7 +213,6 @@ impl Keys {
         }
     }
 
-    /// Whether a key is among them by its place.
     pub fn has_place(self, key: Key) -> bool {
         match key {
             Key::Sign(_) => self.has(key),
@@ -228,7 +224,6 @@ impl Keys {
         self == Self::default()
     }
 
-    /// A key of the US layout.
     pub fn add(&mut self, key: Key) {
         self.add_typed(key);
         self.add_place(key);

@@ -1,5 +1,4 @@
-//! The player's keyboard: what the key at each place types, as the system tells or as it was typed. A place that is not known is as in the
-//! US layout.
+//! The player's keyboard: what the key at each place types, as the system tells or as it was typed. A place that is not known is as in the US layout.
 
 use super::Key;
 use std::cell::RefCell;
@@ -24,7 +23,6 @@ pub fn printing() -> impl Iterator<Item = (u8, Key)> {
     ROWS.iter().flat_map(|(first, keys)| (*first..).zip(keys.iter().copied()))
 }
 
-/// Whether the key at that place types a character.
 pub fn prints(place: Key) -> bool {
     printing().any(|(_, key)| key == place)
 }
@@ -45,12 +43,10 @@ pub fn sign_at(place: Key) -> Option<char> {
     SIGNS.with_borrow(|signs| signs.iter().find(|(known, _)| *known == place).map(|(_, sign)| *sign))
 }
 
-/// The key at that place, by what it types.
 pub fn key_at(place: Key) -> Key {
     sign_at(place).and_then(Key::typing).unwrap_or(place)
 }
 
-/// Whether a key is known to type that alone.
 pub fn has(sign: char) -> bool {
     SIGNS.with_borrow(|signs| signs.iter().any(|(_, known)| *known == sign))
 }

@@ -1,12 +1,10 @@
-//! The browser's storage of a page, and the files that the page holds only while it is open.
-//! Everything that the browser keeps for the page, as a file of the player's and back.
+//! The browser's storage of a page, the files that the page holds while it is open, and all that is kept as one file of the player's and back.
 
 use super::{DROPPED, PageWord, download, resultant_get, resultant_keys, resultant_remove, resultant_set, say, taken};
 use crate::files::{self, AboveShipped, Keeper, KeepingFault, PageFiles};
 use crate::pack;
-use std::collections::BTreeMap;
-use std::path::Path;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+use std::{collections::BTreeMap, path::Path};
 
 static STORAGE: LazyLock<AboveShipped<PageFiles<PageStorage>>> =
     LazyLock::new(|| AboveShipped::new(PageFiles(PageStorage), Path::new("")));

@@ -19,7 +19,6 @@ enum KeyMessage {
     Leave,
 }
 
-/// Hands over the messages of the page.
 pub fn drain(keyboard: &mut Keyboard) {
     for message in QUEUE.take() {
         match message {

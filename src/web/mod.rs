@@ -1,24 +1,16 @@
-//! The page that the game runs in, in a browser: its storage, its clock, its gamepads and what its script asks for. The other half is
-//! `script.js` beside this file.
+//! The page that the game runs in, in a browser: its storage, clock, gamepads and what its script, `script.js` beside this file, asks for; and
+//! `index.html#verify`, a page that flies every recorded flight that is built in and compares where they lead.
 //!
 //! Unsafe code: the functions of the script take and give the bytes of the program's memory; each call below hands over a pointer and the
 //! length of what it points to, and the script keeps neither beyond the call.
-//!
-//! The page's clock.
-//!
-//! A page that flies every recorded flight that is built in, and compares where they lead: `index.html#verify`.
 #![allow(unsafe_code)]
 
 use crate::files::{self, SHIPPED};
-use crate::game::Replay;
-use crate::words::tr;
-use crate::{level, pack};
+use crate::{game::Replay, level, pack, words::tr};
 use macroquad::window::next_frame;
 use std::cell::{Cell, RefCell};
-use std::ops::Sub;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::Duration;
+use std::{ops::Sub, sync::Arc, time::Duration};
 
 mod keeper;
 mod keys;
@@ -61,7 +53,6 @@ unsafe extern "C" {
     fn resultant_choose_file();
 }
 
-/// A word to the page.
 #[derive(Clone, Copy, Debug)]
 #[repr(i32)]
 pub enum PageWord {
@@ -148,7 +139,7 @@ pub fn set_at_risk(at_risk: bool) {
     AT_RISK.set(at_risk);
 }
 
-/// A frame is drawn; the least time until the next one, s.
+/// The least time until the next frame, s.
 pub fn end_frame(rest: f64) {
     // SAFETY: it takes a number.
     unsafe { resultant_frame_ends(rest) }

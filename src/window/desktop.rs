@@ -86,7 +86,6 @@ impl Pads {
     }
 }
 
-/// What is down on one gamepad.
 fn held(pad: &Gamepad<'_>, before: Keys) -> Keys {
     let buttons = BUTTONS.iter().filter(|(button, _)| pad.is_pressed(*button)).map(|(_, key)| *key);
     let trigger = |button| pad.button_data(button).map_or(0.0, gilrs::ev::state::ButtonData::value);

@@ -16,16 +16,12 @@ use page as host;
 
 use crate::draw::layout::{DESIGN, Frame, Vec2};
 use crate::draw::{Canvas, pen::WindowPen};
-use crate::level::Level;
 use crate::screens::{Destination, Places, Stack};
 use crate::session::{library::Attempt, worker::Worker};
-use crate::settings::Keys;
-use crate::sound::Speaker;
-use crate::ui::input::Input;
 use crate::ui::pace::{self, Picture};
 use crate::view::{art, theme};
-use crate::window::keyboard::WindowKeys;
 use crate::words::{self, Language};
+use crate::{level::Level, settings::Keys, sound::Speaker, ui::input::Input, window::keyboard::WindowKeys};
 use host::{Instant, Pads};
 use macroquad::input::{
     MouseButton, is_mouse_button_down, is_mouse_button_pressed, is_quit_requested, mouse_position, mouse_wheel, prevent_quit,
@@ -33,12 +29,8 @@ use macroquad::input::{
 use macroquad::miniquad::conf::{Conf, Icon};
 use macroquad::window::{next_frame, set_fullscreen};
 use spectator::WindowSpectator;
-use std::cell::RefCell;
 use std::panic::{self, AssertUnwindSafe};
-use std::path::PathBuf;
-use std::rc::Rc;
-use std::sync::Arc;
-use std::time::Duration;
+use std::{cell::RefCell, path::PathBuf, rc::Rc, sync::Arc, time::Duration};
 
 /// How often the window is tried to open, and the time after each: an X server turns programs away for a moment while it resets.
 const ATTEMPTS: u32 = 4;
@@ -48,7 +40,6 @@ const BETWEEN_ATTEMPTS: Duration = Duration::from_millis(150);
 const PRESSED: f32 = 0.5;
 const RELEASED: f32 = 0.35;
 
-/// What the window opens with.
 #[derive(Clone, Debug)]
 pub enum Start {
     /// An attempt at the level in that folder.
@@ -60,9 +51,7 @@ pub enum Start {
 }
 
 /// Opens the window, in a level where one is given, and returns when it is closed.
-///
-/// # Errors
-/// There is no display, or what the window needs cannot be had; in words.
+/// Errors: there is no display, or what the window needs cannot be had; in words.
 pub fn open(places: Places, start: Option<Start>) -> Result<(), String> {
     #[cfg(all(target_os = "linux", target_pointer_width = "64"))]
     system_date::keep();

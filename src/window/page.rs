@@ -5,8 +5,7 @@ use crate::screens::{Destination, Flight, Request, Stack};
 use crate::settings::{Key, Keys, Settings};
 use crate::ui::{Spectator, input::Input};
 use crate::web;
-use std::path::PathBuf;
-use std::time::Duration;
+use std::{path::PathBuf, time::Duration};
 
 pub use crate::web::Instant;
 

@@ -1,18 +1,14 @@
 //! What a window has besides the screens: the view of the game that is flown, and sound.
 
-use crate::draw::Canvas;
 use crate::draw::layout::{Area, BUTTON_TEXT, TEXT, Vec2};
 use crate::game::{Game, Outcome};
-use crate::level;
 use crate::physics::{BodyId, DVec2};
 use crate::screens::{GameScene, Noise, Screen, Stack};
-use crate::settings::Settings;
 use crate::sound::{Ambience, Arrangement, Cue, Ear, Sound, Speaker, Stuff, Volumes, tune};
 use crate::ui::input::{ButtonAnswer, Input};
 use crate::ui::{Spectator, pace};
 use crate::view::{GameView, Overlays, theme, widgets};
-use crate::window::host::Instant;
-use crate::words::tr;
+use crate::{draw::Canvas, level, settings::Settings, window::host::Instant, words::tr};
 
 /// Volume of the music during a loss; at 0 the tune would begin again.
 const HUSHED: f32 = 0.05;
@@ -20,7 +16,6 @@ const HUSHED: f32 = 0.05;
 const COST_WEIGHT: f64 = 0.02;
 const FRAME_WEIGHT: f64 = 0.1;
 
-/// Draws the screen: its game, and its widgets above that.
 pub fn draw(stack: &Stack, spectator: &mut WindowSpectator, frame_time: f64, canvas: &mut Canvas) {
     if let Some(scene) = stack.scene(canvas.frame()) {
         spectator.draw_scene(scene, *stack.settings(), frame_time, canvas);
@@ -38,7 +33,6 @@ pub fn draw(stack: &Stack, spectator: &mut WindowSpectator, frame_time: f64, can
     }
 }
 
-/// What is loading, above the screen that waits for it.
 fn draw_loading(what: &str, canvas: &Canvas) {
     widgets::curtain(canvas, 0.6);
     let (middle, size) = (canvas.size() / 2.0, Vec2::new(560.0, 120.0));
@@ -108,12 +102,11 @@ impl WindowSpectator {
         canvas.use_frame(whole);
     }
 
-    /// Takes note of how long a frame took, s.
+    /// s.
     pub fn note_frame(&mut self, frame_time: f64) {
         self.frame_cost += (frame_time - self.frame_cost) * FRAME_WEIGHT;
     }
 
-    /// Takes the volumes over that the player has set.
     pub fn set_volumes(&mut self, settings: &Settings) {
         let [master, effects, music] =
             [settings.master, settings.effects, settings.music].map(|percent| f32::from(percent) / 100.0);
@@ -147,7 +140,6 @@ impl WindowSpectator {
     }
 }
 
-/// What something in the classics sounds like.
 fn heard_as(noise: Noise) -> Sound {
     match noise {
         Noise::Jump => Sound::new(Cue::Jump, 0.5),

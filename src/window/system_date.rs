@@ -1,7 +1,6 @@
-//! The system's date for this program: it goes on evenly, whatever the system's clock is set to meanwhile. At the end of each
-//! frame macroquad's scene makes up for all time since the last one at 60 steps a second of the date, and no setting turns that off: a clock
-//! that is set ahead by a year costs 6 s, one before 1970 ends the program. So the date is that of the first call and the time since. What the
-//! game writes is off by as much as the clock was set since it began.
+//! The system's date for this program goes on evenly, whatever the system's clock is set to meanwhile. At the end of each frame macroquad's scene
+//! makes up for all time since the last one at 60 steps a second of the date, and no setting turns that off: a clock that is set ahead by a year
+//! costs 6 s, one before 1970 ends the program. So the date is that of the first call and the time since: off by as much as the clock was set since.
 //!
 //! Unsafe code: the function below has the name and the type of POSIX, and takes its place for all code that is linked into the program;
 //! what does not ask for the date goes to the system's own.

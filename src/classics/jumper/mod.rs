@@ -1,11 +1,7 @@
 //! Jumper: one or two players climb an endless tower of platforms, and the view, which only rises, leaves slow players behind.
 //!
 //! The world has three axes: x across, y depth, z up; the scene plays in x–z. Lengths are in metres, velocities in m/s.
-//!
-//! - [`engine`]: cuboids that fall, land, stop at walls and bounce off each other, and know no player; and the [`Tower`] of platforms, the same for
-//!   the same seed.
-//!
-//! Here is the climb: one or two players with their keys, the view that rises with the higher one, and the score.
+//! [`engine`] has cuboids that know no player, and the [`Tower`] of platforms.
 //!
 //! Recorded keys of a climb: held keys and their number of ticks, as a CSV file that people can write.
 //!
@@ -220,11 +216,8 @@ pub struct Climb {
     pub keys: [JumpKeys; 2],
 }
 
-/// Reads the text of a file of keys; `file` is its name in messages.
-///
-/// # Errors
-/// The first problem as `FILE:LINE: MESSAGE`: another header, a wrong number of cells, ticks that are no whole number from 1 or more than
-/// a day's in all, a key that is neither 0 nor 1.
+/// Reads the text of a file of keys; `file` is its name in messages. Errors: the first problem as `FILE:LINE: MESSAGE`: another header, a wrong
+/// number of cells, ticks that are no whole number from 1 or more than a day's in all, a key that is neither 0 nor 1.
 pub fn parse(file: &str, text: &str) -> Result<Vec<Climb>, String> {
     let columns = CsvFile { name: file, columns: &HEADER, comments: true };
     let mut rows = columns.rows(text.as_bytes());

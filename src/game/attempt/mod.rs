@@ -177,11 +177,11 @@ impl Game {
             }
         }
         self.mechanisms.note(&self.level, &mut self.world, &mut self.events);
-        for index in 0..self.level.pods.len() {
+        for (index, pod) in self.level.pods.iter().enumerate() {
             let full = self.ship.fuel >= self.level.player.fuel;
-            let touched = !full && !self.mechanisms.is_taken(index) && self.has_touched(&SHIP_BOX, &self.level.pods[index].bounds);
+            let touched = !full && !self.mechanisms.is_taken(index) && has_passed(&self.world, SHIP, &SHIP_BOX, &pod.bounds);
             if touched && self.mechanisms.take_pod(index) {
-                self.ship.refuel(self.level.pods[index].fuel, &self.level.player);
+                self.ship.refuel(pod.fuel, &self.level.player);
                 self.events.push(GameEvent::Refuelled(index));
             }
         }
@@ -206,20 +206,15 @@ impl Game {
     fn death(&self) -> Option<Death> {
         let body = ship_body(self.ship.angle);
         let swept = self.swept();
-        let touches = |deadly: &Aabb| swept.touches(deadly, TOUCH) && self.has_touched(&body, deadly);
+        let touches = |deadly: &Aabb| swept.touches(deadly, TOUCH) && has_passed(&self.world, SHIP, &body, deadly);
         let touched = self.level.obstacles.iter().position(touches).map(Death::Obstacle);
         let squeezed = || crushed(self.world.events()).find(|(body, _)| *body == SHIP).map(|(_, by)| Death::Crushed(by));
         touched.or_else(squeezed)
     }
 
-    /// The box around all positions of the ship in the last tick.
     fn swept(&self) -> Aabb {
         let places = self.world.path(SHIP).map(|at| Aabb::around(at, SHIP_HALF));
         places.fold(Aabb::around(self.world.previous_position(SHIP), SHIP_HALF), |all, place| all.union(&place))
-    }
-
-    fn has_touched(&self, corners: &[DVec2], target: &Aabb) -> bool {
-        has_passed(&self.world, SHIP, corners, target)
     }
 
     pub fn level(&self) -> &Level {

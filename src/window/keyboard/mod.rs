@@ -17,7 +17,6 @@ use std::time::Instant;
 macro_rules! codes {
     ($($key:ident)*) => { &[$((KeyCode::$key, Key::$key)),*] };
 }
-/// Which key of the keyboard is which of ours.
 const KEYS: &[(KeyCode, Key)] = plain_keys!(codes);
 /// Those of which there are several.
 const MORE_KEYS: [(KeyCode, Key); 8] = [

@@ -13,7 +13,6 @@ use std::collections::VecDeque;
 use std::ffi::{c_char, c_int, c_long, c_uchar, c_uint, c_ulong, c_void};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
-/// Kinds of events.
 const KEY_PRESS: c_int = 2;
 const KEY_RELEASE: c_int = 3;
 const FOCUS_IN: c_int = 9;
@@ -98,7 +97,6 @@ struct Functions {
 
 /// What the server has sent and nobody has taken.
 static EVENTS: Mutex<VecDeque<Sent>> = Mutex::new(VecDeque::new());
-/// What makes events of each kind.
 static MAKERS: [OnceLock<WireToEvent>; MAPPING_NOTIFY as usize + 1] = [const { OnceLock::new() }; MAPPING_NOTIFY as usize + 1];
 
 struct Sent(Event);
@@ -173,7 +171,6 @@ impl System {
         unsafe { (self.functions.pending)(self.display) != 0 }
     }
 
-    /// Hands over what has come.
     pub fn drain(&mut self, keyboard: &mut Keyboard) {
         loop {
             let sent = EVENTS.lock().unwrap_or_else(PoisonError::into_inner).pop_front();
@@ -268,7 +265,6 @@ impl System {
         char::from_u32(character).filter(|character| !character.is_control())
     }
 
-    /// The signs on the keys.
     fn learn(&mut self) {
         self.pc = self.keysym(65, 0) == 0x20 && self.keysym(111, 0) == 0xff52;
         for (code, place) in layout::printing().filter(|_| self.pc) {
