@@ -1,12 +1,8 @@
 //! Changes of a world between ticks.
 
-use crate::physics::data::domain::{DefError, expect};
-use crate::physics::data::{Body, BodyId, Surface, WorldDef};
-use crate::physics::forces::link::Link;
-use crate::physics::forces::{ForceKind, ForceManager, Source};
-use crate::physics::space::Space;
-use crate::physics::state::State;
-use crate::physics::world::World;
+use crate::physics::data::{Body, BodyId, Surface, WorldDef, domain::DefError, domain::expect};
+use crate::physics::forces::{ForceKind, ForceManager, Source, link::Link};
+use crate::physics::{space::Space, state::State, world::World};
 use glam::DVec2;
 
 impl World {

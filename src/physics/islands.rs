@@ -11,21 +11,13 @@
 //!
 //! In a gas or a heap the crowd step is cheaper from about 50 bodies on; the count of events makes sure of it for fewer.
 
-use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::bodies::{Bodies, Frame, Origin};
-use crate::physics::crowd::dense::{CrowdEnd, StepSize};
-use crate::physics::data::tuning::MANY;
-use crate::physics::data::{Body, NONE, Part, called};
-use crate::physics::exact::item::Item;
-use crate::physics::exact::{ExactEnd, Scene};
-use crate::physics::flight::liquid::flow_through;
-use crate::physics::flight::steps::Course;
-use crate::physics::forces::ForceKind;
-use crate::physics::scratch::{Scratch, Stop};
-use crate::physics::space::Space;
-use crate::physics::state::Guards;
-use crate::physics::state::State;
+use crate::physics::crowd::{CrowdImpact, dense::CrowdEnd, dense::StepSize};
+use crate::physics::data::{Body, NONE, Part, called, tuning::MANY};
+use crate::physics::exact::{ExactEnd, Scene, item::Item};
 use crate::physics::store::{Island, Method, Motions, SurfaceMotion};
+use crate::physics::{flight::liquid::flow_through, flight::steps::Course, forces::ForceKind, scratch::Scratch, scratch::Stop};
+use crate::physics::{space::Space, state::Guards, state::State};
 use glam::DVec2;
 
 /// Islands of more bodies are dense. More: a heap that settles costs more than a millisecond a tick; fewer: gases are less exact.

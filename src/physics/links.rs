@@ -1,17 +1,14 @@
 //! Links in a world. Linked bodies near nothing fly together; near anything they go from event to event ([`crate::physics::exact`]). A world with stiff
 //! links takes a tick in parts: [`crate::physics::forces::Links::parts`].
 
-use crate::physics::data::domain::DefError;
-use crate::physics::data::{Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Part, Pose, SLOP, called, on_axis};
-use crate::physics::exact::item::{Item, Travel};
+use crate::physics::data::{
+    Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Part, Pose, SLOP, called, domain::DefError, on_axis,
+};
 use crate::physics::flight::linked::{Linked, LinkedBodies, little};
-use crate::physics::forces::link::Link;
-use crate::physics::forces::{Force, ForceManager, Source};
+use crate::physics::forces::{Force, ForceManager, Source, link::Link};
 use crate::physics::islands::{Members, Tick, Verdict};
-use crate::physics::scratch::Scratch;
-use crate::physics::state::{Event, State};
-use crate::physics::store::motions::{Guide, Method};
-use crate::physics::world::World;
+use crate::physics::{exact::item::Item, exact::item::Travel, scratch::Scratch, state::Event, state::State, store::motions::Guide};
+use crate::physics::{store::motions::Method, world::World};
 use glam::DVec2;
 
 impl World {

@@ -1,11 +1,8 @@
 //! The space of a world: motions, broad phase, islands, sleep, and the crowd step.
 
-use crate::physics::crowd::CrowdImpact;
-use crate::physics::crowd::island::Crowd;
 use crate::physics::data::{Aabb, Body, Pose};
-use crate::physics::state::State;
-use crate::physics::store::broad_phase::cells_per_metre;
-use crate::physics::store::{BroadPhase, Islands, Motions, Sleep};
+use crate::physics::store::{BroadPhase, Islands, Motions, Sleep, broad_phase::cells_per_metre};
+use crate::physics::{crowd::CrowdImpact, crowd::island::Crowd, state::State};
 use glam::DVec2;
 
 #[derive(Clone, Debug)]

@@ -3,9 +3,7 @@
 
 use crate::physics::checks::{Checks, Thing, rounding};
 use crate::physics::data::{Aabb, BodyId, SLOP, Sides};
-use crate::physics::forces::manager::ForceManager;
-use crate::physics::store::motions::Method;
-use crate::physics::world::{World, edges};
+use crate::physics::{forces::manager::ForceManager, store::motions::Method, world::World, world::edges};
 use glam::DVec2;
 
 mod energy;

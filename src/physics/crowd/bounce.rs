@@ -1,9 +1,6 @@
 //! Restitution, the last stage of a crowd step (Poisson's law; `docs/physics.md`, The crowd step, 6), and the bound on energy.
 
-use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::dense::Dense;
-use crate::physics::crowd::impulses::Edge;
-use crate::physics::crowd::{ACROSS, ALONG, ROUNDING};
+use crate::physics::crowd::{ACROSS, ALONG, ROUNDING, bodies::Bodies, dense::Dense, impulses::Edge};
 use crate::physics::data::plan::{Part, called};
 use glam::DVec2;
 

@@ -1,7 +1,6 @@
 //! The narrow phase: which pairs are contacts in this step, and along which axis (`docs/physics.md`, The crowd step, 1).
 
-use crate::physics::crowd::bodies::{Bodies, Group};
-use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, bodies::Group};
 use crate::physics::data::Sides;
 use glam::DVec2;
 

@@ -3,16 +3,10 @@
 //! Friction of the stacks ([`crate::physics::crowd::friction`]) and merging with riders and ground friction ([`crate::physics::crowd::clusters`])
 //! in turns (`docs/physics.md`, The crowd step, 3); contacts left after [`ROUNDS`], and islands in which all that drives, merge without friction.
 
-use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
-use crate::physics::crowd::contacts::{Contacts, CrowdContact};
-use crate::physics::crowd::drag::Resistance;
-use crate::physics::crowd::friction::{Friction, Grip};
-use crate::physics::crowd::gravity::{Anchors, SLACK};
-use crate::physics::crowd::impulses::Edge;
-use crate::physics::crowd::report::Report;
-use crate::physics::crowd::{ACROSS, ROUNDING};
-use crate::physics::state::Guards;
+use crate::physics::crowd::{ACROSS, ROUNDING, bodies::Bodies, contacts::Contacts, contacts::CrowdContact, drag::Resistance};
+use crate::physics::crowd::{gravity::Anchors, gravity::SLACK, impulses::Edge, report::Report};
+use crate::physics::{crowd::friction::Friction, crowd::friction::Grip, state::Guards};
 
 /// Rounds of friction and merging, one in an island of many. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;

@@ -3,8 +3,7 @@
 //! Free flight knows no contacts: a standing body would fall within the step and show its top to the air, and a braked one be faster. So drag of
 //! bodies in contact is found again, by a flight under the forces of their contacts as well: stable however light the body is.
 
-use crate::physics::crowd::bodies::Bodies;
-use crate::physics::flight::air::fly_through;
+use crate::physics::{crowd::bodies::Bodies, flight::air::fly_through};
 use glam::DVec2;
 
 #[derive(Clone, Debug, Default)]

@@ -3,12 +3,9 @@
 //! One linear pass bottom-up (`docs/physics.md`, The crowd step, 2): a body's bound is the smallest over its *anchored* supports of their way and
 //! the gap. Bodies that close without an anchor are merged ([`crate::physics::crowd::clusters`]).
 
-use crate::physics::crowd::ALONG;
-use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
 use crate::physics::crowd::contacts::{Contacts, CrowdContact};
-use crate::physics::crowd::impulses::Edge;
-use crate::physics::crowd::restitution::Bounces;
+use crate::physics::crowd::{ALONG, bodies::Bodies, impulses::Edge, restitution::Bounces};
 use crate::physics::data::lists::{NONE, refill};
 
 /// Relative velocities below this are rounding, and count as none when loads are found, m/s. Larger: slow touches rub.

@@ -1,8 +1,6 @@
 //! Loads along gravity: which supports bear a body, and the share of its load on each.
 
-use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::contacts::{Contacts, CrowdContact};
-use crate::physics::crowd::gravity::Anchors;
+use crate::physics::crowd::{bodies::Bodies, contacts::Contacts, contacts::CrowdContact, gravity::Anchors};
 
 impl Contacts {
     pub fn closes(bodies: &Bodies, contact: &CrowdContact, slack: f64) -> bool {

@@ -3,10 +3,8 @@
 //! Rounding, branching islands and passed corners are mended here. Bodies keep no speed gained on a way that they did not go, and go back along the
 //! contact's axis where nothing else helps: no motion is always allowed.
 
-use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
-use crate::physics::crowd::contacts::{Contacts, CrowdContact};
-use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, contacts::Contacts, contacts::CrowdContact};
 use crate::physics::data::lists::NONE;
 use glam::DVec2;
 

@@ -1,10 +1,7 @@
 //! Records the contacts of an island that a crowd step has solved.
 
-use crate::physics::crowd::bodies::{Bodies, Frame};
-use crate::physics::crowd::dense::Dense;
 use crate::physics::crowd::impulses::{ContactImpulse, Edge, Record};
-use crate::physics::crowd::report::Report;
-use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, bodies::Frame, dense::Dense, report::Report};
 use crate::physics::data::on_axis;
 use glam::DVec2;
 

@@ -1,7 +1,6 @@
 //! Which impacts of a crowd step bounce, and how fast what they hit leaves.
 
-use crate::physics::crowd::bodies::{Bodies, Member};
-use crate::physics::crowd::contacts::CrowdContact;
+use crate::physics::crowd::{bodies::Bodies, bodies::Member, contacts::CrowdContact};
 
 /// Closing speeds up to this are none, m/s. Smaller: rounding bounces.
 const SLOWEST: f64 = 1e-9;

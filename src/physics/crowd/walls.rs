@@ -1,11 +1,8 @@
 //! Friction on upright faces: along walls, and between bodies side by side (`docs/physics.md`, The crowd step, 4). Bodies side by side that
 //! nothing carries rub as a pair. Bodies that the ground carries take no part.
 
-use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::clusters::Node;
-use crate::physics::crowd::gravity::{Along, Anchors};
-use crate::physics::crowd::impulses::{Edge, Record};
-use crate::physics::crowd::{ACROSS, ALONG, ROUNDING};
+use crate::physics::crowd::{ACROSS, ALONG, ROUNDING, bodies::Bodies, clusters::Node, gravity::Along, gravity::Anchors};
+use crate::physics::crowd::{impulses::Edge, impulses::Record};
 use crate::physics::data::lists::refill;
 
 /// Sweeps of the search for bodies that hang on hanging ones. Fewer: the end of a long row that is listed in disorder falls.
