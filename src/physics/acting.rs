@@ -26,8 +26,7 @@ impl World {
         for contact in &state.contacts {
             (touches[contact.lo as usize], touches[contact.hi as usize]) = (true, true);
         }
-        for &i in &awake {
-            let i = i as usize;
+        for i in awake.iter().map(|i| *i as usize) {
             if scratch.linked(i as u32).is_some() {
                 continue;
             }

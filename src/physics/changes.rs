@@ -23,11 +23,9 @@ impl World {
 
     fn change_forces(&mut self, body: BodyId, change: impl FnOnce(&mut ForceManager) -> bool) {
         let i = body.index();
-        if change(&mut self.state.forces[i]) {
-            // A force that changes no bit of the acceleration changes nothing that a tick comes to.
-            if self.space.set_force(&self.state, i, self.state.forces[i].push()) {
-                self.disturb(body.0);
-            }
+        // A force that changes no bit of the acceleration changes nothing that a tick comes to.
+        if change(&mut self.state.forces[i]) && self.space.set_force(&self.state, i, self.state.forces[i].push()) {
+            self.disturb(body.0);
         }
     }
 

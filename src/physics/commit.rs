@@ -1,7 +1,7 @@
 //! The end of a tick: poses, accelerations, contacts, impacts and events of all methods become those of the state and its records.
 
 use crate::physics::data::{Aabb, BALANCED, BodyId, Coefficients, Contact, Hit, Impulse, NONE, Obstacle, REPORT_SPEED, on_axis};
-use crate::physics::{crowd::CrowdImpact, crowd::impulses::ContactImpulse, space::Space, state::Event, state::State};
+use crate::physics::{crowd::ContactImpulse, crowd::CrowdImpact, space::Space, state::Event, state::State};
 use crate::physics::{store::motions::Method, world::World};
 use glam::DVec2;
 

@@ -284,6 +284,7 @@ impl Space {
     fn solve_crowd(&mut self, k: usize, (dt, round): (f64, usize), tick: &mut Tick<'_>) -> CrowdEnd {
         let Self { motions, islands, crowd, sleep, impacts, broad_phase, grown, widened, moving, .. } = self;
         let state = tick.state;
+        let (bodies, surfaces, bounces) = (&state.bodies[..], &state.surfaces[..], tick.scene.plan.bounces);
         let usual = Frame { swapped: false, down: self.down };
         let (frame, gravity) = match pull_of_fields(state, islands.get(k).members) {
             Some(pull) => (Frame::of(pull), pull.abs().max_element()),
@@ -299,8 +300,7 @@ impl Space {
         let size = StepSize { dt, rest_speed: state.rest_speed, gravity, last };
         crowd.dense.report.on = tick.lists(island.members.len());
         for _ in 0..=moving.len() {
-            let from =
-                Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
+            let from = Origin { bodies, surfaces, motions, frame, bounces };
             let meets_more = |bodies: &Bodies, k: usize| {
                 let swept = bodies.swept(k, frame);
                 let me = (bodies.ids[k], &swept);
@@ -340,8 +340,7 @@ impl Space {
         let sleeps = sleep.finish(&state.bodies, motions, (island, may_sleep));
         crowd.dense.report.on |= sleeps;
         if sleeps && crowd.bodies.len() < island.members.len() {
-            let from =
-                Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
+            let from = Origin { bodies, surfaces, motions, frame, bounces };
             crowd.step(from, island, size, |_, _| true);
         }
         for i in island.members {

@@ -74,7 +74,7 @@ impl World {
         self.scratch.linked.clear();
         self.scratch.pairs.clear();
         // What is awake may reach a group that sleeps, and its links fly from the start of a tick.
-        let flies = !self.space.sleep.all_asleep() || self.winds(dt);
+        let flies = !self.space.sleep.all_asleep() || self.state.links.all.iter().any(|link| link.growth(dt) != 0.0);
         for g in 0..if flies { self.state.links.groups.len() } else { 0 } {
             let group = self.state.links.groups[g].0..self.state.links.groups[g].1;
             let from = self.scratch.linked.len();
@@ -97,10 +97,6 @@ impl World {
             let growth = Link { broken, ..*link }.growth(dt);
             link.law = link.law.length().map_or(link.law, |length| link.law.of_length(length + growth * dt));
         }
-    }
-
-    fn winds(&self, dt: f64) -> bool {
-        self.state.links.all.iter().any(|link| link.growth(dt) != 0.0)
     }
 
     fn fly_group(&mut self, from: usize, dt: f64) {
@@ -134,12 +130,10 @@ impl World {
             self.relink(link as usize);
         }
         for number in 0..self.state.links.all.len() {
-            let link = self.state.links.all[number];
+            let mut link = self.state.links.all[number];
             if link.on && !link.begun && !link.broken && self.touches(&link.def) {
-                let Self { state, .. } = self;
-                let mut begun = link;
-                begun.begin(|id| state.pose_of(id));
-                state.links.all[number] = begun;
+                link.begin(|id| self.state.pose_of(id));
+                self.state.links.all[number] = link;
                 self.records.events.push(Event::Hooked { link: number as u32 });
                 self.relink(number);
             }

@@ -47,8 +47,7 @@ impl Space {
         space
     }
 
-    /// Sets the force on a body besides weight and drag, N. A change wakes its island.
-    /// Returns whether it does.
+    /// Sets the force on a body besides weight and drag, N. A change wakes its island: returns whether it does.
     pub fn set_force(&mut self, state: &State, i: usize, force: DVec2) -> bool {
         let changes = self.motions.set_force(i, (&state.bodies[i], &state.media), force);
         if changes {
