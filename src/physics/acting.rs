@@ -2,14 +2,8 @@
 //! body if it touches nothing.
 
 use crate::physics::data::{Aabb, Pose, SLOP, refill};
-use crate::physics::exact::Scene;
-use crate::physics::flight::liquid::{flow, flow_side_by_side};
-use crate::physics::flight::steps::Course;
-use crate::physics::forces::Law;
-use crate::physics::scratch::Scratch;
-use crate::physics::state::State;
-use crate::physics::store::motions::Guide;
-use crate::physics::world::World;
+use crate::physics::flight::{liquid::flow, liquid::flow_side_by_side, steps::Course};
+use crate::physics::{exact::Scene, forces::Law, scratch::Scratch, state::State, store::motions::Guide, world::World};
 use glam::DVec2;
 
 impl World {
@@ -32,8 +26,7 @@ impl World {
         for contact in &state.contacts {
             (touches[contact.lo as usize], touches[contact.hi as usize]) = (true, true);
         }
-        for &i in &awake {
-            let i = i as usize;
+        for i in awake.iter().map(|i| *i as usize) {
             if scratch.linked(i as u32).is_some() {
                 continue;
             }

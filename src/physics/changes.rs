@@ -1,12 +1,8 @@
 //! Changes of a world between ticks.
 
-use crate::physics::data::domain::{DefError, expect};
-use crate::physics::data::{Body, BodyId, Surface, WorldDef};
-use crate::physics::forces::link::Link;
-use crate::physics::forces::{ForceKind, ForceManager, Source};
-use crate::physics::space::Space;
-use crate::physics::state::State;
-use crate::physics::world::World;
+use crate::physics::data::{Body, BodyId, Surface, WorldDef, domain::DefError, domain::expect};
+use crate::physics::forces::{ForceKind, ForceManager, Source, link::Link};
+use crate::physics::{space::Space, state::State, world::World};
 use glam::DVec2;
 
 impl World {
@@ -27,11 +23,9 @@ impl World {
 
     fn change_forces(&mut self, body: BodyId, change: impl FnOnce(&mut ForceManager) -> bool) {
         let i = body.index();
-        if change(&mut self.state.forces[i]) {
-            // A force that changes no bit of the acceleration changes nothing that a tick comes to.
-            if self.space.set_force(&self.state, i, self.state.forces[i].push()) {
-                self.disturb(body.0);
-            }
+        // A force that changes no bit of the acceleration changes nothing that a tick comes to.
+        if change(&mut self.state.forces[i]) && self.space.set_force(&self.state, i, self.state.forces[i].push()) {
+            self.disturb(body.0);
         }
     }
 

@@ -1,7 +1,6 @@
 //! The buffers of a check: bodies and surfaces between two ticks, and the energy of islands.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::forces::manager::ForceManager;
+use crate::physics::{data::aabb::Aabb, forces::manager::ForceManager};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]

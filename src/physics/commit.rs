@@ -1,12 +1,8 @@
 //! The end of a tick: poses, accelerations, contacts, impacts and events of all methods become those of the state and its records.
 
-use crate::physics::crowd::CrowdImpact;
-use crate::physics::crowd::impulses::ContactImpulse;
 use crate::physics::data::{Aabb, BALANCED, BodyId, Coefficients, Contact, Hit, Impulse, NONE, Obstacle, REPORT_SPEED, on_axis};
-use crate::physics::space::Space;
-use crate::physics::state::{Event, State};
-use crate::physics::store::motions::Method;
-use crate::physics::world::World;
+use crate::physics::{crowd::ContactImpulse, crowd::CrowdImpact, space::Space, state::Event, state::State};
+use crate::physics::{store::motions::Method, world::World};
 use glam::DVec2;
 
 impl World {

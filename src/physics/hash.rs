@@ -1,11 +1,8 @@
 //! The state's hash: every bit that decides about the future, and that can change. A new field is written here or left out on purpose.
 
-use crate::physics::DVec2;
 use crate::physics::data::{Body, Contact, LinkDef, LinkEnd, Surface};
-use crate::physics::forces::link::Link;
-use crate::physics::forces::{Force, ForceKind, ForceManager, Source};
-use crate::physics::state::State;
-use crate::physics::world::World;
+use crate::physics::forces::{Force, ForceKind, ForceManager, Source, link::Link};
+use crate::physics::{DVec2, state::State, world::World};
 
 impl World {
     /// Feeds every bit that decides about the future to `write`. Left out: sleep and known contacts, which change no bit

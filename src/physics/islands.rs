@@ -11,21 +11,13 @@
 //!
 //! In a gas or a heap the crowd step is cheaper from about 50 bodies on; the count of events makes sure of it for fewer.
 
-use crate::physics::crowd::CrowdImpact;
 use crate::physics::crowd::bodies::{Bodies, Frame, Origin};
-use crate::physics::crowd::dense::{CrowdEnd, StepSize};
-use crate::physics::data::tuning::MANY;
-use crate::physics::data::{Body, NONE, Part, called};
-use crate::physics::exact::item::Item;
-use crate::physics::exact::{ExactEnd, Scene};
-use crate::physics::flight::liquid::flow_through;
-use crate::physics::flight::steps::Course;
-use crate::physics::forces::ForceKind;
-use crate::physics::scratch::{Scratch, Stop};
-use crate::physics::space::Space;
-use crate::physics::state::Guards;
-use crate::physics::state::State;
+use crate::physics::crowd::{CrowdImpact, dense::CrowdEnd, dense::StepSize};
+use crate::physics::data::{Body, NONE, Part, called, tuning::MANY};
+use crate::physics::exact::{ExactEnd, Scene, item::Item};
 use crate::physics::store::{Island, Method, Motions, SurfaceMotion};
+use crate::physics::{flight::liquid::flow_through, flight::steps::Course, forces::ForceKind, scratch::Scratch, scratch::Stop};
+use crate::physics::{space::Space, state::Guards, state::State};
 use glam::DVec2;
 
 /// Islands of more bodies are dense. More: a heap that settles costs more than a millisecond a tick; fewer: gases are less exact.
@@ -292,6 +284,7 @@ impl Space {
     fn solve_crowd(&mut self, k: usize, (dt, round): (f64, usize), tick: &mut Tick<'_>) -> CrowdEnd {
         let Self { motions, islands, crowd, sleep, impacts, broad_phase, grown, widened, moving, .. } = self;
         let state = tick.state;
+        let (bodies, surfaces, bounces) = (&state.bodies[..], &state.surfaces[..], tick.scene.plan.bounces);
         let usual = Frame { swapped: false, down: self.down };
         let (frame, gravity) = match pull_of_fields(state, islands.get(k).members) {
             Some(pull) => (Frame::of(pull), pull.abs().max_element()),
@@ -307,8 +300,7 @@ impl Space {
         let size = StepSize { dt, rest_speed: state.rest_speed, gravity, last };
         crowd.dense.report.on = tick.lists(island.members.len());
         for _ in 0..=moving.len() {
-            let from =
-                Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
+            let from = Origin { bodies, surfaces, motions, frame, bounces };
             let meets_more = |bodies: &Bodies, k: usize| {
                 let swept = bodies.swept(k, frame);
                 let me = (bodies.ids[k], &swept);
@@ -348,8 +340,7 @@ impl Space {
         let sleeps = sleep.finish(&state.bodies, motions, (island, may_sleep));
         crowd.dense.report.on |= sleeps;
         if sleeps && crowd.bodies.len() < island.members.len() {
-            let from =
-                Origin { bodies: &state.bodies, surfaces: &state.surfaces, motions, frame, bounces: tick.scene.plan.bounces };
+            let from = Origin { bodies, surfaces, motions, frame, bounces };
             crowd.step(from, island, size, |_, _| true);
         }
         for i in island.members {

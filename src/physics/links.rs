@@ -1,17 +1,14 @@
 //! Links in a world. Linked bodies near nothing fly together; near anything they go from event to event ([`crate::physics::exact`]). A world with stiff
 //! links takes a tick in parts: [`crate::physics::forces::Links::parts`].
 
-use crate::physics::data::domain::DefError;
-use crate::physics::data::{Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Part, Pose, SLOP, called, on_axis};
-use crate::physics::exact::item::{Item, Travel};
+use crate::physics::data::{
+    Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Part, Pose, SLOP, called, domain::DefError, on_axis,
+};
 use crate::physics::flight::linked::{Linked, LinkedBodies, little};
-use crate::physics::forces::link::Link;
-use crate::physics::forces::{Force, ForceManager, Source};
+use crate::physics::forces::{Force, ForceManager, Source, link::Link};
 use crate::physics::islands::{Members, Tick, Verdict};
-use crate::physics::scratch::Scratch;
-use crate::physics::state::{Event, State};
-use crate::physics::store::motions::{Guide, Method};
-use crate::physics::world::World;
+use crate::physics::{exact::item::Item, exact::item::Travel, scratch::Scratch, state::Event, state::State, store::motions::Guide};
+use crate::physics::{store::motions::Method, world::World};
 use glam::DVec2;
 
 impl World {
@@ -77,7 +74,7 @@ impl World {
         self.scratch.linked.clear();
         self.scratch.pairs.clear();
         // What is awake may reach a group that sleeps, and its links fly from the start of a tick.
-        let flies = !self.space.sleep.all_asleep() || self.winds(dt);
+        let flies = !self.space.sleep.all_asleep() || self.state.links.all.iter().any(|link| link.growth(dt) != 0.0);
         for g in 0..if flies { self.state.links.groups.len() } else { 0 } {
             let group = self.state.links.groups[g].0..self.state.links.groups[g].1;
             let from = self.scratch.linked.len();
@@ -100,10 +97,6 @@ impl World {
             let growth = Link { broken, ..*link }.growth(dt);
             link.law = link.law.length().map_or(link.law, |length| link.law.of_length(length + growth * dt));
         }
-    }
-
-    fn winds(&self, dt: f64) -> bool {
-        self.state.links.all.iter().any(|link| link.growth(dt) != 0.0)
     }
 
     fn fly_group(&mut self, from: usize, dt: f64) {
@@ -137,12 +130,10 @@ impl World {
             self.relink(link as usize);
         }
         for number in 0..self.state.links.all.len() {
-            let link = self.state.links.all[number];
+            let mut link = self.state.links.all[number];
             if link.on && !link.begun && !link.broken && self.touches(&link.def) {
-                let Self { state, .. } = self;
-                let mut begun = link;
-                begun.begin(|id| state.pose_of(id));
-                state.links.all[number] = begun;
+                link.begin(|id| self.state.pose_of(id));
+                self.state.links.all[number] = link;
                 self.records.events.push(Event::Hooked { link: number as u32 });
                 self.relink(number);
             }

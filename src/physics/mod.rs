@@ -45,20 +45,12 @@ pub(crate) mod world;
 /// Names the engine's sources: what was measured with others is stale.
 pub const SOURCES: &str = env!("PHYSICS_SOURCES");
 
-pub use data::aabb::Aabb;
-pub use data::body::{Body, BodyDef, BodyId};
-pub use data::contact::{Impulse, Obstacle};
 pub use data::def::{FieldDef, FluidDef, StreamDef, WorldDef};
 pub(crate) use data::domain;
-pub use data::domain::DefError;
-pub use data::link::*;
-pub use data::material::Material;
-pub use data::plan::{OPTIONAL, Plan};
 pub use data::surface::{Leg, Path, PathPoint, Sides, Surface, SurfaceDef};
-pub use forces::kind::{ForceKind, Source};
-pub use forces::link::Link;
-pub use forces::manager::{Force, ForceManager};
+pub use data::{aabb::Aabb, body::Body, body::BodyDef, body::BodyId, contact::Impulse, contact::Obstacle, domain::DefError};
+pub use data::{link::*, material::Material, plan::OPTIONAL, plan::Plan};
+pub use forces::{kind::ForceKind, kind::Source, link::Link, manager::Force, manager::ForceManager};
 pub use glam::DVec2;
-pub use state::Guards;
-pub use state::{Event, Methods};
+pub use state::{Event, Guards, Methods};
 pub use world::World;

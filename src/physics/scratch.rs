@@ -2,14 +2,10 @@
 
 #[cfg(all(feature = "validate", debug_assertions))]
 use crate::physics::checks::Checks;
-use crate::physics::contact::resting::RestingGroup;
 use crate::physics::data::{Aabb, Contact, Hit, NONE, Pose, SLOP};
-use crate::physics::exact::item::Item;
-use crate::physics::exact::{Events, Scene};
-use crate::physics::flight::linked::{Linked, Pull};
-use crate::physics::forces::{Law, Link};
-use crate::physics::state::{Records, State};
-use crate::physics::store::motions::{Method, Motions};
+use crate::physics::exact::{Events, Scene, item::Item};
+use crate::physics::{contact::resting::RestingGroup, flight::linked::Linked, flight::linked::Pull, forces::Law, forces::Link};
+use crate::physics::{state::Records, state::State, store::motions::Method, store::motions::Motions};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]

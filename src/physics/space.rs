@@ -1,11 +1,8 @@
 //! The space of a world: motions, broad phase, islands, sleep, and the crowd step.
 
-use crate::physics::crowd::CrowdImpact;
-use crate::physics::crowd::island::Crowd;
 use crate::physics::data::{Aabb, Body, Pose};
-use crate::physics::state::State;
-use crate::physics::store::broad_phase::cells_per_metre;
-use crate::physics::store::{BroadPhase, Islands, Motions, Sleep};
+use crate::physics::store::{BroadPhase, Islands, Motions, Sleep, broad_phase::cells_per_metre};
+use crate::physics::{crowd::CrowdImpact, crowd::island::Crowd, state::State};
 use glam::DVec2;
 
 #[derive(Clone, Debug)]
@@ -50,8 +47,7 @@ impl Space {
         space
     }
 
-    /// Sets the force on a body besides weight and drag, N. A change wakes its island.
-    /// Returns whether it does.
+    /// Sets the force on a body besides weight and drag, N. A change wakes its island: returns whether it does.
     pub fn set_force(&mut self, state: &State, i: usize, force: DVec2) -> bool {
         let changes = self.motions.set_force(i, (&state.bodies[i], &state.media), force);
         if changes {

@@ -2,10 +2,7 @@
 
 use crate::physics::data::{Aabb, Body, Impulse, Part, SLOP, called};
 use crate::physics::exact::Scene;
-use crate::physics::islands::{MOST_AT_FIRST, Tick};
-use crate::physics::scratch::first_stop;
-use crate::physics::state::{Methods, Records};
-use crate::physics::world::World;
+use crate::physics::{islands::MOST_AT_FIRST, islands::Tick, scratch::first_stop, state::Methods, state::Records, world::World};
 use glam::DVec2;
 
 /// m. Bodies nearer to a surface that changes are looked at.

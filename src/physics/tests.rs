@@ -1,12 +1,9 @@
 //! A part that a plan leaves out is not called.
 
-use crate::physics::data::aabb::Aabb;
-use crate::physics::data::body::{BodyDef, BodyId};
 use crate::physics::data::def::{FieldDef, FluidDef, StreamDef, WorldDef};
 use crate::physics::data::link::{LinkDef, LinkEnd, LinkLaw, Spring};
-use crate::physics::data::material::Material;
 use crate::physics::data::plan::{CALLS, OPTIONAL, Part, Plan};
-use crate::physics::data::surface::{Path, SurfaceDef};
+use crate::physics::data::{aabb::Aabb, body::BodyDef, body::BodyId, material::Material, surface::Path, surface::SurfaceDef};
 use crate::physics::world::World;
 use glam::DVec2;
 

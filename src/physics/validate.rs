@@ -3,9 +3,7 @@
 
 use crate::physics::checks::{Checks, Thing, rounding};
 use crate::physics::data::{Aabb, BodyId, SLOP, Sides};
-use crate::physics::forces::manager::ForceManager;
-use crate::physics::store::motions::Method;
-use crate::physics::world::{World, edges};
+use crate::physics::{forces::manager::ForceManager, store::motions::Method, world::World, world::edges};
 use glam::DVec2;
 
 mod energy;
@@ -140,11 +138,8 @@ impl World {
         let apart = moved && (island(a).is_none() || island(a) != island(b));
         if apart && self.space.last_dt > 0.0 && a.swept.overlaps(&b.swept, OVERLAP + rounding(&a.swept)) {
             let [of_a, of_b] = [a, b].map(|of| island(of).map_or("none".into(), |leader| leader.to_string()));
-            return Err(format!(
-                "the ways of {} and {} crossed, but they were in the islands {of_a} and {of_b}",
-                a.name(),
-                b.name()
-            ));
+            let [a, b] = [a, b].map(Thing::name);
+            return Err(format!("the ways of {a} and {b} crossed, but they were in the islands {of_a} and {of_b}"));
         }
         Ok(())
     }

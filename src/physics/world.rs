@@ -1,12 +1,10 @@
-use crate::physics::data::domain::DefError;
-use crate::physics::data::tuning::EDGE_THICKNESS;
-use crate::physics::data::{Aabb, Body, BodyDef, BodyId, Contact, Impulse, Material};
-use crate::physics::data::{Obstacle, Plan, Surface, SurfaceDef, WorldDef, on_axis};
+use crate::physics::data::{
+    Aabb, Body, BodyDef, BodyId, Contact, Impulse, Material, Obstacle, Plan, Surface, SurfaceDef, WorldDef,
+};
+use crate::physics::data::{domain::DefError, on_axis, tuning::EDGE_THICKNESS};
 use crate::physics::forces::{Force, ForceKind, ForceManager, Links, Media, Source};
-use crate::physics::scratch::Scratch;
-use crate::physics::space::Space;
-use crate::physics::state::Guards;
-use crate::physics::state::{Event, Methods, Records, State};
+use crate::physics::state::{Event, Guards, Methods, Records, State};
+use crate::physics::{scratch::Scratch, space::Space};
 use glam::DVec2;
 use std::cell::Cell;
 

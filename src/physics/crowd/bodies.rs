@@ -2,10 +2,9 @@
 //!
 //! A step gathers them from the world's state, works on them alone, and leaves their ends in them: neighbours in a pile are neighbours in memory.
 
-use crate::physics::crowd::ACROSS;
 use crate::physics::data::{Aabb, Body, Coefficients, Pose, Sides, Surface};
-use crate::physics::forces::air::Drag;
 use crate::physics::store::{Island, MARGIN, Motions, SurfaceMotion};
+use crate::physics::{crowd::ACROSS, forces::air::Drag};
 use glam::DVec2;
 use std::ops::{Index, IndexMut};
 

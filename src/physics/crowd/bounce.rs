@@ -1,9 +1,6 @@
 //! Restitution, the last stage of a crowd step (Poisson's law; `docs/physics.md`, The crowd step, 6), and the bound on energy.
 
-use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::dense::Dense;
-use crate::physics::crowd::impulses::Edge;
-use crate::physics::crowd::{ACROSS, ALONG, ROUNDING};
+use crate::physics::crowd::{ACROSS, ALONG, Edge, ROUNDING, bodies::Bodies, dense::Dense};
 use crate::physics::data::plan::{Part, called};
 use glam::DVec2;
 
@@ -24,9 +21,7 @@ impl Dense {
             return;
         }
         called(Part::Bounces);
-        for i in 0..bodies.len() {
-            self.plastic[i] = bodies[i].end;
-        }
+        (0..bodies.len()).for_each(|i| self.plastic[i] = bodies[i].end);
         let Self { anchors, report, bounced, .. } = self;
         for (edges, axis) in [(&mut anchors.edges, ALONG), (&mut report.sides, ACROSS)] {
             for edge in edges.iter_mut().filter(|edge| edge.restitution > 0.0) {
@@ -34,12 +29,10 @@ impl Dense {
                 *bounced = true;
             }
         }
-        for i in 0..bodies.len() {
-            if anchors.bounce[i] > 0.0 {
-                let (way, end) = (bodies[i].to.y - bodies[i].from.y, bodies[i].end.y);
-                bodies[i].end.y = anchors.bounces.rebound(&bodies[i], way, end, anchors.bounce[i]);
-                *bounced |= bodies[i].end.y != end;
-            }
+        for i in (0..bodies.len()).filter(|i| anchors.bounce[*i] > 0.0) {
+            let (way, end) = (bodies[i].to.y - bodies[i].from.y, bodies[i].end.y);
+            bodies[i].end.y = anchors.bounces.rebound(&bodies[i], way, end, anchors.bounce[i]);
+            *bounced |= bodies[i].end.y != end;
         }
     }
 
@@ -52,12 +45,10 @@ impl Dense {
         }
         let touched = |bodies: &Bodies, i: usize| stirred || bodies[i].end != bodies[i].free;
         let mut sum = Balance::default();
-        for i in 0..bodies.len() {
-            if touched(bodies, i) {
-                let end = bodies[i].end;
-                let plastic = if self.bounced { self.plastic[i] } else { end };
-                sum.add(bodies, i, [plastic, end - plastic], self.dt);
-            }
+        for i in (0..bodies.len()).filter(|i| touched(bodies, *i)) {
+            let end = bodies[i].end;
+            let plastic = if self.bounced { self.plastic[i] } else { end };
+            sum.add(bodies, i, [plastic, end - plastic], self.dt);
         }
         if sum.gained(1.0) <= ROUNDING * sum.all {
             return;

@@ -4,9 +4,7 @@
 //! On immovable ground a cluster with momentum P, mass M and the ground's largest impulses S (static) and K (kinetic) has the velocity 0 while |P|
 //! ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex.
 
-use crate::physics::crowd::contacts::CrowdContact;
-use crate::physics::crowd::impulses::Edge;
-use crate::physics::data::lists::{NONE, refill};
+use crate::physics::{crowd::Edge, crowd::contacts::CrowdContact, data::lists::NONE, data::lists::refill};
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Node {

@@ -3,16 +3,11 @@
 //! Friction of the stacks ([`crate::physics::crowd::friction`]) and merging with riders and ground friction ([`crate::physics::crowd::clusters`])
 //! in turns (`docs/physics.md`, The crowd step, 3); contacts left after [`ROUNDS`], and islands in which all that drives, merge without friction.
 
-use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
-use crate::physics::crowd::contacts::{Contacts, CrowdContact};
-use crate::physics::crowd::drag::Resistance;
-use crate::physics::crowd::friction::{Friction, Grip};
-use crate::physics::crowd::gravity::{Anchors, SLACK};
-use crate::physics::crowd::impulses::Edge;
-use crate::physics::crowd::report::Report;
-use crate::physics::crowd::{ACROSS, ROUNDING};
-use crate::physics::state::Guards;
+use crate::physics::crowd::{ACROSS, ROUNDING, bodies::Bodies, contacts::Contacts, contacts::CrowdContact};
+use crate::physics::crowd::{Edge, gravity::Anchors, gravity::SLACK, report::Report};
+use crate::physics::{crowd::friction::Friction, crowd::friction::Grip, flight::air::fly_through, state::Guards};
+use glam::DVec2;
 
 /// Rounds of friction and merging, one in an island of many. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
@@ -41,12 +36,8 @@ impl Pushes {
     pub fn begin(&mut self, n: usize) {
         self.resistance.saved.clear();
         self.reached.clear();
-        for list in [&mut self.given, &mut self.before] {
-            list.resize(n, 0.0);
-        }
-        for flags in [&mut self.pushed, &mut self.told] {
-            flags.resize(n, false);
-        }
+        [&mut self.given, &mut self.before].into_iter().for_each(|list| list.resize(n, 0.0));
+        [&mut self.pushed, &mut self.told].into_iter().for_each(|flags| flags.resize(n, false));
     }
 }
 
@@ -224,8 +215,7 @@ impl Cross<'_> {
                 if closes || (side.bound == 0.0 && is_pushed(a) != is_pushed(b) && bodies.is_body(a) && bodies.is_body(b)) {
                     reached.extend([a, b].into_iter().filter(|i| *i >= n && bodies.is_body(*i)).map(|i| i as u32));
                     for i in [a, b] {
-                        let sleeps = i < n && !pushed[i] && !friction.is_awake[i];
-                        if sleeps {
+                        if i < n && !pushed[i] && !friction.is_awake[i] {
                             (pushed[i], grows) = (true, true);
                         }
                     }
@@ -297,9 +287,7 @@ fn node(bodies: &Bodies, friction: &Friction, i: usize, (told, dt, rubs): (bool,
     }
     let riders = friction.riders[i];
     let tight = &friction.tight[friction.under(i)];
-    let moves =
-        |t: &crate::physics::crowd::friction::FrictionContact| bodies[t.below as usize].end.x != 0.0 || t.belt_velocity != 0.0;
-    if tight.is_empty() || tight.iter().any(moves) {
+    if tight.is_empty() || tight.iter().any(|t| bodies[t.below as usize].end.x != 0.0 || t.belt_velocity != 0.0) {
         return Some(Node::free(riders.mass, bodies[i].before.x, velocity, mean));
     }
     let mut node = Node { momentum: riders.momentum, ..Node::free(riders.mass, bodies[i].before.x, velocity, mean) };
@@ -327,4 +315,51 @@ fn push(clusters: &Clusters, i: usize, node: &Node) -> f64 {
     let (impulse, limit) = clusters.held(i);
     let part = if limit > 0.0 { node.static_limit / limit } else { 0.0 };
     impulse * part - node.momentum
+}
+
+/// Drag on bodies in contact. Free flight knows no contacts: a standing body would fall within the step and show its top to the air, and a braked
+/// one be faster. So their drag is found again, by a flight under the forces of their contacts as well: stable however light the body is.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Resistance {
+    pub saved: Vec<(u32, DVec2)>,
+}
+
+impl Resistance {
+    pub fn restore(&mut self, bodies: &mut Bodies) {
+        for (i, free) in self.saved.drain(..).rev() {
+            bodies[i as usize].free = free;
+        }
+    }
+
+    pub fn along(&mut self, bodies: &mut Bodies, of: &[u32], dt: f64) {
+        // For the rounds of friction as well.
+        self.saved.reserve(4 * of.len());
+        for i in of.iter().map(|i| *i as usize) {
+            let stands = bodies[i].before.y == 0.0 && bodies[i].end.y == 0.0 && bodies[i].mean.y == 0.0;
+            if stands && bodies.meets_air(i) {
+                self.saved.push((i as u32, bodies[i].free));
+                bodies[i].free.y = bodies[i].pull.y * dt;
+            }
+        }
+    }
+
+    pub fn across(&mut self, bodies: &mut Bodies, of: &[u32], given: &mut [f64], dt: f64) -> bool {
+        let mut any = false;
+        for i in of.iter().map(|i| *i as usize) {
+            if !bodies.meets_air(i) || (bodies[i].before.x == 0.0 && bodies[i].end.x == 0.0) {
+                continue;
+            }
+            let body = &mut bodies[i];
+            let pull = body.pull + (body.end - body.free) / dt;
+            let (_, after) = fly_through((DVec2::ZERO, body.before), pull, &body.drag, dt);
+            let drag = after.x - (body.before.x + pull.x * dt);
+            let change = (body.before.x + body.pull.x * dt + drag) - body.free.x;
+            self.saved.push((i as u32, body.free));
+            body.free.x += change;
+            body.to.x += 0.5 * change * dt;
+            given[i] += body.mass * change;
+            any = true;
+        }
+        any
+    }
 }

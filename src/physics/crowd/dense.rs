@@ -1,17 +1,8 @@
 //! The stages of a crowd step of one island. The step leaves places and velocities in [`Bodies`].
 
-use crate::physics::crowd::bodies::{Bodies, Group};
-use crate::physics::crowd::clusters::Clusters;
-use crate::physics::crowd::contacts::{Contacts, Tolerances};
-use crate::physics::crowd::cross::{Cross, Pushes};
-use crate::physics::crowd::friction::Friction;
-use crate::physics::crowd::gravity::{Along, Anchors};
-use crate::physics::crowd::report::Report;
-use crate::physics::crowd::restitution::Bounces;
-use crate::physics::crowd::walls::Walls;
-use crate::physics::crowd::{ACROSS, ALONG, place};
-use crate::physics::data::tuning::MANY;
-use crate::physics::state::Guards;
+use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, bodies::Group, clusters::Clusters, contacts::Contacts, place};
+use crate::physics::crowd::{contacts::Tolerances, cross::Cross, cross::Pushes, gravity::Along, gravity::Anchors, report::Report};
+use crate::physics::{crowd::contacts::Bounces, crowd::friction::Friction, crowd::walls::Walls, data::tuning::MANY, state::Guards};
 use glam::DVec2;
 
 /// Solutions again for pairs that were expected to pass and did not. More: slower; fewer: more is put back.
@@ -169,8 +160,7 @@ impl Dense {
         let many = self.anchors.any_bounces && bodies.whole > MANY;
         let Self { contacts, anchors, walls, friction, clusters, pushes, report, guards, .. } = self;
         let held_up = &walls.held_up;
-        let mut cross = Cross { contacts, anchors, friction, clusters, pushes, held_up, report, dt, many };
-        cross.solve(bodies, guards);
+        Cross { contacts, anchors, friction, clusters, pushes, held_up, report, dt, many }.solve(bodies, guards);
     }
 
     fn list_hits(&mut self, bodies: &Bodies) {

@@ -3,12 +3,9 @@
 //! One linear pass bottom-up (`docs/physics.md`, The crowd step, 2): a body's bound is the smallest over its *anchored* supports of their way and
 //! the gap. Bodies that close without an anchor are merged ([`crate::physics::crowd::clusters`]).
 
-use crate::physics::crowd::ALONG;
-use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
-use crate::physics::crowd::contacts::{Contacts, CrowdContact};
-use crate::physics::crowd::impulses::Edge;
-use crate::physics::crowd::restitution::Bounces;
+use crate::physics::crowd::contacts::{Bounces, Contacts, CrowdContact};
+use crate::physics::crowd::{ALONG, Edge, bodies::Bodies};
 use crate::physics::data::lists::{NONE, refill};
 
 /// Relative velocities below this are rounding, and count as none when loads are found, m/s. Larger: slow touches rub.
@@ -155,22 +152,48 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
     if bodies.bounces {
         clusters.hit(live(), |contact| anchors.bounces.of(bodies, contact, ALONG));
     }
-    for &i in &clusters.joined {
-        let i = i as usize;
-        if i < n {
-            anchors.lands[i] = if clusters.came_fixed(i) { anchors.lands[i] } else { NONE };
-            let (own, mean) = (bodies[i].mean.y.min(0.0), clusters.mean(i, 0.0));
-            // Nothing that stands lifts a body that something else has stopped on its way up.
-            let lifted = !contacts.carried && clusters.is_fixed(i) && mean < own - slack;
-            bodies[i].mean.y = if lifted { own } else { mean };
-            bodies[i].end.y = clusters.velocity(i);
-            anchors.held[i] |= clusters.is_fixed(i);
-            anchors.loose[i] = !clusters.came_fixed(i);
-            if anchors.loose[i] {
-                anchors.bounce[i] = if clusters.is_fixed(i) { clusters.restitution(i) } else { 0.0 };
-            }
+    for i in clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < n) {
+        anchors.lands[i] = if clusters.came_fixed(i) { anchors.lands[i] } else { NONE };
+        let (own, mean) = (bodies[i].mean.y.min(0.0), clusters.mean(i, 0.0));
+        // Nothing that stands lifts a body that something else has stopped on its way up.
+        let lifted = !contacts.carried && clusters.is_fixed(i) && mean < own - slack;
+        bodies[i].mean.y = if lifted { own } else { mean };
+        bodies[i].end.y = clusters.velocity(i);
+        anchors.held[i] |= clusters.is_fixed(i);
+        anchors.loose[i] = !clusters.came_fixed(i);
+        if anchors.loose[i] {
+            anchors.bounce[i] = if clusters.is_fixed(i) { clusters.restitution(i) } else { 0.0 };
         }
     }
     let alone = |edge: Edge| if clusters.is_fixed(edge.a as usize) { Edge { restitution: 0.0, ..edge } } else { edge };
     anchors.edges.extend(clusters.bouncing().map(alone));
+}
+
+/// Loads along gravity: which supports bear a body, and the share of its load on each.
+impl Contacts {
+    pub fn closes(bodies: &Bodies, contact: &CrowdContact, slack: f64) -> bool {
+        let (first, second) = (contact.first as usize, contact.second as usize);
+        contact.live && (bodies[first].mean.y - bodies[second].mean.y - contact.bound).abs() <= slack
+    }
+
+    /// Adds up loads top-down, N·s: each body hands its own on in equal shares to the supports that it presses and that the ground carries, and
+    /// each share to `give`. Hanging bodies hand on nothing.
+    pub fn hand_down(&self, bodies: &Bodies, anchors: &Anchors, loads: &mut [f64], mut give: impl FnMut(u32, u32, f64)) {
+        let slack = self.tolerances.hair / anchors.bounces.dt;
+        for i in (0..bodies.len()).rev() {
+            let load = loads[i];
+            if load <= 0.0 || (anchors.any_hung && anchors.hung[i].is_some()) {
+                continue;
+            }
+            let bears = |stack: &&CrowdContact| anchors.held[stack.second as usize] && Self::closes(bodies, stack, slack);
+            let under = || self.stacks[self.under(i)].iter().filter(bears);
+            let share = load / under().count() as f64;
+            for stack in under() {
+                if let Some(below) = loads.get_mut(stack.second as usize) {
+                    *below += share;
+                }
+                give(i as u32, stack.second, share);
+            }
+        }
+    }
 }

@@ -1,11 +1,9 @@
 //! A crowd step of an island: solved with the members that are looked at, and again with more until nobody else is concerned.
 
 use crate::physics::crowd::bodies::{Bodies, Frame, Group, Origin};
-use crate::physics::crowd::contacts::Tolerances;
 use crate::physics::crowd::dense::{CrowdEnd, Dense, IMPACT, StepSize};
-use crate::physics::crowd::settled::Settled;
-use crate::physics::data::Sides;
-use crate::physics::store::islands::Island;
+use crate::physics::crowd::{contacts::Tolerances, settled::Settled};
+use crate::physics::{data::Sides, store::islands::Island};
 use glam::DVec2;
 
 #[derive(Clone, Debug)]

@@ -3,10 +3,8 @@
 //! Rounding, branching islands and passed corners are mended here. Bodies keep no speed gained on a way that they did not go, and go back along the
 //! contact's axis where nothing else helps: no motion is always allowed.
 
-use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
-use crate::physics::crowd::contacts::{Contacts, CrowdContact};
-use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, contacts::Contacts, contacts::CrowdContact};
 use crate::physics::data::lists::NONE;
 use glam::DVec2;
 
@@ -47,8 +45,7 @@ pub(crate) fn part(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clus
 
 /// Along gravity, top-down: what rises stops under what does not make way.
 fn hold_down(bodies: &mut Bodies, contacts: &Contacts, dt: f64) -> bool {
-    let rises = (0..bodies.len()).any(|i| bodies[i].to.y < bodies[i].from.y);
-    if !rises {
+    if !(0..bodies.len()).any(|i| bodies[i].to.y < bodies[i].from.y) {
         return false;
     }
     let mut mended = false;
@@ -127,12 +124,9 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
         },
     );
     let mut doubt = pooled.stuck;
-    for &i in &clusters.joined {
-        let i = i as usize;
-        if i < n {
-            bodies[i].to.x = clusters.mean(i, 0.0);
-            doubt |= !bodies.is_swept(i);
-        }
+    for i in clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < n) {
+        bodies[i].to.x = clusters.mean(i, 0.0);
+        doubt |= !bodies.is_swept(i);
     }
     doubt
 }

@@ -1,11 +1,7 @@
 //! Records the contacts of an island that a crowd step has solved.
 
-use crate::physics::crowd::bodies::{Bodies, Frame};
-use crate::physics::crowd::dense::Dense;
-use crate::physics::crowd::impulses::{ContactImpulse, Edge, Record};
-use crate::physics::crowd::report::Report;
-use crate::physics::crowd::{ACROSS, ALONG};
-use crate::physics::data::on_axis;
+use crate::physics::crowd::{ACROSS, ALONG, ContactImpulse, Edge, Record, bodies::Bodies, bodies::Frame, dense::Dense};
+use crate::physics::{crowd::report::Report, data::on_axis};
 use glam::DVec2;
 
 impl Dense {
@@ -26,9 +22,7 @@ impl Dense {
     fn record_along(&mut self, bodies: &Bodies, report: &mut Report) {
         let n = bodies.len();
         let mut lack = std::mem::take(&mut report.along);
-        for i in 0..bodies.len() {
-            lack[i] = bodies[i].mass * (bodies[i].free.y - bodies[i].end.y) + self.walls.held_up[i];
-        }
+        (0..n).for_each(|i| lack[i] = bodies[i].mass * (bodies[i].free.y - bodies[i].end.y) + self.walls.held_up[i]);
         let mut edges = std::mem::take(&mut self.anchors.edges);
         let loose = &self.anchors.loose;
         report.drain(&mut edges, &mut lack, |i| i >= n || !loose[i]);
@@ -36,8 +30,7 @@ impl Dense {
             report.records.push(Record { a: edge.a, b: edge.b, axis: ALONG, normal: -edge.impulse, friction: 0.0 });
         }
         self.anchors.edges = edges;
-        let passed_on = (0..n).filter(|i| self.anchors.loose[*i]);
-        passed_on.for_each(|i| lack[i] = 0.0);
+        (0..n).filter(|i| self.anchors.loose[*i]).for_each(|i| lack[i] = 0.0);
         let records = &mut report.records;
         self.contacts.hand_down(bodies, &self.anchors, &mut lack, |a, b, share| {
             records.push(Record { a, b, axis: ALONG, normal: -share, friction: 0.0 });
@@ -47,9 +40,7 @@ impl Dense {
 
     fn record_across(&mut self, bodies: &Bodies, report: &mut Report) {
         let n = bodies.len();
-        for i in 0..bodies.len() {
-            report.across[i] = bodies[i].mass * (bodies[i].end.x - bodies[i].free.x);
-        }
+        (0..n).for_each(|i| report.across[i] = bodies[i].mass * (bodies[i].end.x - bodies[i].free.x));
         for side in &report.sides {
             report.across[side.a as usize] += side.impulse;
             report.across[side.b as usize] -= side.impulse;

@@ -2,10 +2,7 @@
 //! bodies hand down their loads in equal shares; a cluster passes on impulses along the tree of its merges, from the leaves inwards; friction in a
 //! stack takes what is left. Nothing here enters the motion.
 
-use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::clusters::Clusters;
-use crate::physics::crowd::gravity::Anchors;
-use crate::physics::crowd::impulses::{ContactImpulse, Edge, Record};
+use crate::physics::crowd::{ContactImpulse, Edge, Record, bodies::Bodies, clusters::Clusters, gravity::Anchors};
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Report {

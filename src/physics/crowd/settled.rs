@@ -2,12 +2,8 @@
 //! near. If one of them is pushed after all, or one on which it stands moves, the step is solved again with it: the answer is that of all members,
 //! bit for bit.
 
-use crate::physics::crowd::ACROSS;
-use crate::physics::crowd::bodies::{Bodies, Origin};
-use crate::physics::crowd::contacts::TOUCH;
-use crate::physics::crowd::dense::Dense;
-use crate::physics::data::Body;
-use crate::physics::store::{Island, Motions};
+use crate::physics::crowd::{ACROSS, bodies::Bodies, bodies::Origin, contacts::TOUCH, dense::Dense};
+use crate::physics::{data::Body, store::Island, store::Motions};
 use glam::DVec2;
 
 /// In a smaller island all are looked at, or none: to find out takes as long.

@@ -1,12 +1,8 @@
 //! Friction on upright faces: along walls, and between bodies side by side (`docs/physics.md`, The crowd step, 4). Bodies side by side that
 //! nothing carries rub as a pair. Bodies that the ground carries take no part.
 
-use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::clusters::Node;
-use crate::physics::crowd::gravity::{Along, Anchors};
-use crate::physics::crowd::impulses::{Edge, Record};
-use crate::physics::crowd::{ACROSS, ALONG, ROUNDING};
-use crate::physics::data::lists::refill;
+use crate::physics::crowd::{ACROSS, ALONG, Edge, ROUNDING, Record, bodies::Bodies, clusters::Node};
+use crate::physics::{crowd::gravity::Along, crowd::gravity::Anchors, data::lists::refill};
 
 /// Sweeps of the search for bodies that hang on hanging ones. Fewer: the end of a long row that is listed in disorder falls.
 const SWEEPS: usize = 8;
@@ -64,9 +60,7 @@ impl Walls {
         for &(i, free, predicted) in self.saved.iter().rev() {
             (bodies[i as usize].free.y, bodies[i as usize].to.y) = (free, predicted);
         }
-        for grip in &self.grips {
-            self.held_up[grip.body as usize] = 0.0;
-        }
+        self.grips.iter().for_each(|grip| self.held_up[grip.body as usize] = 0.0);
         anchors.any_hung = false;
     }
 
@@ -205,11 +199,10 @@ impl Walls {
         }
     }
 
-    /// Finds the hanging bodies that cannot be static_limit. Returns whether there is any.
+    /// Finds the hanging bodies that cannot be held. Returns whether there is any.
     fn slip(&mut self, bodies: &Bodies, along: &Along<'_>) -> bool {
-        for forces in [&mut self.borne, &mut self.holds] {
-            forces.fill(0.0);
-        }
+        self.borne.fill(0.0);
+        self.holds.fill(0.0);
         self.load(bodies, along);
         let Self { grips, holds, loads, borne, .. } = self;
         let hanging = || grips.iter().filter(|grip| grip.hangs);
@@ -236,9 +229,8 @@ impl Walls {
     }
 
     fn load(&mut self, bodies: &Bodies, along: &Along<'_>) {
-        for i in 0..bodies.len() {
-            self.loads[i] = self.borne[i] + bodies[i].mass * (bodies[i].free.y - bodies[i].end.y);
-        }
+        let press = |i: usize| bodies[i].mass * (bodies[i].free.y - bodies[i].end.y);
+        (0..bodies.len()).for_each(|i| self.loads[i] = self.borne[i] + press(i));
         along.contacts.hand_down(bodies, along.anchors, &mut self.loads, |_, _, _| ());
     }
 }

@@ -1,8 +1,7 @@
 //! Contacts at an event: they begin, last and end, and the two are brought exactly together.
 
-use crate::physics::contact::axis::Parts;
 use crate::physics::data::{Aabb, Contact, MAX_CLINGS, MICRO_SPEED, SLOP, SPEED_ROUNDING, SPEED_TOLERANCE, on_axis};
-use crate::physics::exact::events::{Events, Scene};
+use crate::physics::{contact::axis::Parts, exact::events::Events, exact::events::Scene};
 
 impl Events {
     /// Lists the contacts of all items concerned, and concerns all that these join.

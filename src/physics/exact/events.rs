@@ -3,8 +3,7 @@
 use crate::physics::data::{Aabb, Contact, Cubic, Hit, Incidence, Plan, Pose, Surface, refill};
 use crate::physics::exact::item::{Item, Next, Track, Travel};
 use crate::physics::forces::{Link, Media, ZoneList};
-use crate::physics::state::{Guards, State};
-use crate::physics::{contact::reactions::Reactions, flight::steps::CoupledStep};
+use crate::physics::{contact::reactions::Reactions, flight::steps::CoupledStep, state::Guards, state::State};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,7 @@
 //! Items: the bodies of an island and the surfaces near them, each on a path of its own; and that path as the search for impacts needs it.
 
 use crate::physics::data::{Aabb, Body, BodyDef, Cubic, Pose, Quintic, STRAY, Sides, Surface, on_axis, parabola};
-use crate::physics::exact::train::Train;
-use crate::physics::flight::liquid::{flow, flow_while};
-use crate::physics::forces::{Law, Media};
+use crate::physics::{exact::train::Train, flight::liquid::flow, flight::liquid::flow_while, forces::Law, forces::Media};
 use glam::DVec2;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

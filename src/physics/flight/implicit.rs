@@ -1,8 +1,7 @@
 //! Implicit steps through liquids, where drag takes a body to the speed of its place long before the step ends: an L-stable Rosenbrock method of
 //! fifth order with an embedded one of fourth (G. Di Marzo, *RODAS5(4)*, 1993; Hairer, Wanner, *Solving Ordinary Differential Equations II*, IV.7).
 
-use crate::physics::data::body::Pose;
-use crate::physics::forces::liquid::{Regime, Slopes};
+use crate::physics::{data::body::Pose, forces::liquid::Regime, forces::liquid::Slopes};
 use glam::{DMat2, DVec2};
 
 /// One step of `h` seconds under a `constant` acceleration (m/s²), in a law with these slopes where it begins; and its error, m.

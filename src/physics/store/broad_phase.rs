@@ -3,8 +3,7 @@
 //! Each body owns a *fat box* (Box2D's fat AABBs); the list of surfaces whose boxes overlap it holds while the body stays inside.
 
 use crate::physics::data::{Aabb, Body};
-use crate::physics::store::grid::CellGrid;
-use crate::physics::store::motions::{MARGIN, Motions};
+use crate::physics::store::{grid::CellGrid, motions::MARGIN, motions::Motions};
 use glam::DVec2;
 
 /// Steps ahead for which a fat box is made. More: more surfaces to test; fewer: more new boxes.

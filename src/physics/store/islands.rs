@@ -4,9 +4,7 @@
 //! each body's pairs by the order of the other: no other island changes a bit.
 
 use crate::physics::data::{Aabb, Body, NONE, first, refill};
-use crate::physics::store::broad_phase::BroadPhase;
-use crate::physics::store::columns::Columns;
-use crate::physics::store::motions::Motions;
+use crate::physics::store::{broad_phase::BroadPhase, columns::Columns, motions::Motions};
 
 /// After more moves a body, insertion gives up and all is sorted: the same order.
 const MOST_MOVES: usize = 8;

@@ -2,8 +2,7 @@
 
 use crate::physics::data::{Aabb, Body, Part, Pose, Surface, called, parabola};
 use crate::physics::flight::air::fly_through;
-use crate::physics::forces::media::fall;
-use crate::physics::forces::{Drag, Media};
+use crate::physics::forces::{Drag, Media, media::fall};
 use glam::DVec2;
 
 /// How much further than predicted a body may get before its contacts are sought again, m. Larger: more contacts; smaller: more islands are solved

@@ -3,11 +3,8 @@
 //! A body that has slept through a whole step is set aside until something wakes it, or a swept box reaches its own (`rouse`). Its box and free
 //! flight of the step before still hold, so no bit depends on that.
 
-use crate::physics::data::Aabb;
-use crate::physics::data::body::Body;
-use crate::physics::store::grid::CellGrid;
-use crate::physics::store::islands::Island;
-use crate::physics::store::motions::Motions;
+use crate::physics::data::{Aabb, body::Body};
+use crate::physics::store::{grid::CellGrid, islands::Island, motions::Motions};
 use glam::DVec2;
 
 /// No body is set aside while more than this part of them has to be looked at: their neighbours are looked up one by one.

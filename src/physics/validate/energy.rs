@@ -5,10 +5,8 @@
 
 use crate::physics::checks::{Ledger, Thing, join, rounding};
 use crate::physics::data::{Aabb, BodyId, LinkLaw, MICRO_SPEED, SLOP, refill};
-use crate::physics::forces::Link;
-use crate::physics::forces::zones::{feels, stays};
-use crate::physics::state::Event;
-use crate::physics::world::World;
+use crate::physics::forces::{Link, zones::feels, zones::stays};
+use crate::physics::{state::Event, world::World};
 use glam::DVec2;
 
 /// m. How far from where a stream ends a body may still feel it.

@@ -4,10 +4,8 @@
 //! or lets it slide. Rounds that do not settle are relaxed contact by contact, which dissipates. Exact on trees; on several supports that move
 //! differently a body sticks to the strongest and slides on the others.
 
-use crate::physics::crowd::ROUNDING;
-use crate::physics::crowd::bodies::Bodies;
 use crate::physics::crowd::friction::{Friction, FrictionContact, Grip, Riders};
-use crate::physics::data::tuning::MANY;
+use crate::physics::{crowd::ROUNDING, crowd::bodies::Bodies, data::tuning::MANY};
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;

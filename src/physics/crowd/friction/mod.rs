@@ -8,11 +8,8 @@
 
 pub(crate) mod grips;
 
-use crate::physics::crowd::bodies::Bodies;
-use crate::physics::crowd::clusters::time_to_stop;
-use crate::physics::crowd::contacts::{Contacts, CrowdContact};
-use crate::physics::crowd::gravity::{Anchors, SLACK};
-use crate::physics::crowd::{ACROSS, ALONG};
+use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, clusters::time_to_stop, contacts::Contacts, contacts::CrowdContact};
+use crate::physics::crowd::{gravity::Anchors, gravity::SLACK};
 use crate::physics::data::lists::refill;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
