@@ -132,7 +132,7 @@ impl Family {
         let size = f64::from(size_of(self.scenes, scene)?);
         let each = (point.work * point.step).clamp(*NUMBERS.start(), *NUMBERS.end());
         Some(match self.points {
-            FamilyPoints::Growth => WorkPoint { work: size, error: each * size * 1e-9, ..point },
+            FamilyPoints::Growth => WorkPoint { work: size, error: each * size / 1e9, ..point },
             _ => WorkPoint { work: each, ..point },
         })
     }

@@ -14,7 +14,7 @@ const LOSS_PAUSE: f64 = 0.35;
 /// Time for which a notice stays, s: that a level was read again, or that the attempt before was lost.
 pub(super) const NOTICE: f64 = 5.0;
 
-/// At a met goal the picture, not the ticks, slows to this pace for so many ticks; at least so many to the next: it may be met again and again.
+/// At a met goal the picture, not the ticks, slows to this pace; for how long, and the least time to the next, ticks: it may be met again and again.
 const SLOW: f64 = 0.4;
 const SLOW_TICKS: u64 = 24;
 const BETWEEN_SLOW: u64 = 240;
