@@ -133,8 +133,10 @@ pub fn largest_to(resolution: f64, (least, most): (f64, f64), survives: impl Fn(
 /// Relative precision of [`largest`].
 const RESOLUTION: f64 = 1e-3;
 
+type Tried = fn() -> StressTest;
+
 /// In the order of the report, each with what it tries, for a reader of eleven.
-const TRIED: [(fn() -> StressTest, &str); 19] = [
+const TRIED: [(Tried, &str); 19] = [
     (motion::terminal_velocity, "A body falls through air: does it end at the right speed?"),
     (motion::swings, "A floating box bobs up and down: are its swings as high after 100 of them?"),
     (motion::spring_swings, "A body swings on a spring: does it have as much energy after 100 swings?"),
