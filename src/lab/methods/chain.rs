@@ -1,4 +1,4 @@
-//! Bodies in contact along an axis, by contact solvers of games: v[j+1] − v[j] ≥ −gap/h by impulses λ ≥ 0, and across friction within ±μ·λ.
+//! Bodies in contact along an axis, by contact solvers of games: v\[j+1\] − v\[j\] ≥ −gap/h by impulses λ ≥ 0, and across friction within ±μ·λ.
 //! Sequential impulses (projected Gauss–Seidel): E. Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005. Soft: "Solver2D", 2024.
 //! Positions: M. Macklin et al., "XPBD", Motion in Games 2016, and "Small Steps in Physics Simulation", SCA 2019. Directly, with s_j = v_j + Σ gap/h:
 //! a weighted isotonic regression by pooling adjacent violators (M. Ayer et al., Annals of Mathematical Statistics 26, 1955).
