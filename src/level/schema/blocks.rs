@@ -123,7 +123,8 @@ pub fn mover(record: &RowCells, reader: &mut RowReader) -> Option<Mover> {
     let corners = row.way_points.0.into_iter().map(|corner| corner / reader.scale.metre);
     let stops: Vec<DVec2> = std::iter::once(bounds.min).chain(corners).map(|corner| corner + bounds.size() * 0.5).collect();
     if stops.windows(2).any(|pair| pair[0].distance(pair[1]) < MIN_SIZE) {
-        let found = tr!("{points}, with a way point where the block is already", points = quoted(record.text("way_points")?));
+        let points = quoted(record.text("way_points")?);
+        let found = tr!("{points}, with a way point where the block is already", points);
         let expected = tr("each way point apart from the one before (the first, from x and y)");
         reader.problems.push(record.problem("way_points", found, expected));
         return None;
@@ -151,7 +152,8 @@ fn pace(row: &MoverRow, record: &RowCells, reader: &mut RowReader) -> Option<Mov
 pub fn switch(record: &RowCells, reader: &mut RowReader) -> Option<Switch> {
     let SwitchRow { x, y, width, height, works, weight, by, stays } = record.read(reader)?;
     if weight.is_some() && by != Presser::Any {
-        let found = tr!("{by} beside a weight", by = quoted(record.text("by")?));
+        let by = quoted(record.text("by")?);
+        let found = tr!("{by} beside a weight", by);
         reader.problems.push(record.problem("by", found, tr("nothing or any: a plate is pressed by whatever weighs on it")));
         return None;
     }
