@@ -147,7 +147,7 @@ impl Scratch {
             for contact in &state.contacts[of_body] {
                 let (lo, hi) = (local[contact.lo as usize], local[contact.hi as usize]);
                 if lo != NONE && hi != NONE {
-                    events.contacts.push(Contact { lo, hi, passed: [0.0; 2], ..*contact });
+                    events.contacts.push(Contact { lo, hi, passed: [0.0; 2], rubbed: contact.friction, ..*contact });
                 }
             }
         }

@@ -31,6 +31,8 @@ pub(crate) struct Contact {
     pub friction: f64,
     /// What both have passed on in this tick, up to the last event, N·s.
     pub passed: [f64; 2],
+    /// Friction as the tick begins, N.
+    pub rubbed: f64,
 }
 
 impl Contact {

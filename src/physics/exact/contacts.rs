@@ -89,16 +89,28 @@ impl Events {
         }
     }
 
-    /// Lists what lasting contacts have passed on in this tick beyond their force at its end: of what came and went. Media change a force all the time.
+    /// Lists what lasting contacts have passed on in this tick beyond their forces at its start and end: of what came and went. Media change a force
+    /// all the time.
     pub(crate) fn list_surplus(&mut self, scene: &Scene) {
         for index in 0..self.contacts.len() {
             let contact = self.contacts[index];
-            let [normal, friction] = [contact.normal, contact.friction].map(|force| force * scene.tick);
-            let [surplus, rubs] = [contact.passed[0] - normal, contact.passed[1] - friction];
             let changes = |item: u32| !self.items[item as usize].law.is_constant() || self.items[item as usize].linked;
-            if surplus > 1e-12 * normal && !changes(contact.lo) && !changes(contact.hi) {
+            if contact.normal <= 0.0 || changes(contact.lo) || changes(contact.hi) {
+                continue;
+            }
+            let [pressed, rubbed] = contact.passed;
+            let surplus = pressed - contact.normal * scene.tick;
+            let negligible = 1e-12 * contact.normal * scene.tick;
+            let rubs = if surplus > negligible {
+                rubbed - contact.friction * scene.tick
+            } else {
+                let lasted = pressed / contact.normal;
+                let [least, most] = [contact.rubbed.min(contact.friction), contact.rubbed.max(contact.friction)];
+                rubbed - rubbed.clamp(least * lasted, most * lasted)
+            };
+            if surplus > negligible || rubs.abs() > negligible {
                 self.locate(scene, contact.ends().1 as usize);
-                self.note(&contact, on_axis(contact.axis, surplus, rubs), None);
+                self.note(&contact, on_axis(contact.axis, surplus.max(0.0), rubs), None);
             }
         }
     }
@@ -111,18 +123,20 @@ impl Events {
             let met = self.met.is_some_and(|met| met.is_of(touching.lo, touching.hi));
             let now = if met { self.contact_now(scene, touching.lo, touching.hi) } else { Some(touching) };
             if let Some(contact) = now.filter(|contact| self.stays(contact)) {
-                let (slides, passed) = (self.slides(&contact), self.passed_by(&contact));
-                let fresh = Contact { closed: true, lasts: true, clings: false, passed, ..contact };
+                let slides = self.slides(&contact);
+                let (passed, rubbed) = self.passed_by(&contact);
+                let fresh = Contact { closed: true, lasts: true, clings: false, passed, rubbed, ..contact };
                 self.contacts.push(Contact { slides, normal: 0.0, friction: 0.0, ..fresh });
             }
         }
         self.list_ends(scene, true);
     }
 
-    fn passed_by(&mut self, contact: &Contact) -> [f64; 2] {
+    /// What a contact has passed on so far in this tick, N·s, and its friction as the tick began, N.
+    fn passed_by(&mut self, contact: &Contact) -> ([f64; 2], f64) {
         let known = self.trial.binary_search_by_key(&contact.ends(), Contact::ends);
         let known = known.ok().map(|at| &mut self.trial[at]).filter(|known| (known.lo, known.axis) == (contact.lo, contact.axis));
-        known.map(|known| std::mem::take(&mut known.passed)).unwrap_or_default()
+        known.map(|known| (std::mem::take(&mut known.passed), known.rubbed)).unwrap_or_default()
     }
 
     /// Whether the ends of a contact neither part nor approach, but for rounding.

@@ -225,8 +225,10 @@ impl Events {
 
     fn note_plastic(&mut self, contact: &mut Contact) {
         // A surface pulls nothing: what keeps a body that clings to it is taken off what it has pushed in this tick.
-        let pulls = contact.normal < 0.0 && !self.is_body(contact.ends().1);
-        if contact.normal == 0.0 && contact.friction == 0.0 || pulls && self.take_off(contact) {
+        if contact.normal < 0.0 && !self.is_body(contact.ends().1) {
+            self.take_off(contact);
+        }
+        if contact.normal == 0.0 && contact.friction == 0.0 {
             return;
         }
         let before = |item: u32| self.before[item as usize][contact.axis];
@@ -234,8 +236,8 @@ impl Events {
         self.note(contact, on_axis(contact.axis, contact.normal, contact.friction), Some(closing));
     }
 
-    /// Takes the pull of a surface off its last pushes in this tick on the same body. Returns whether they are as large.
-    fn take_off(&mut self, contact: &mut Contact) -> bool {
+    /// Takes the pull of a surface off its last pushes in this tick on the same body, and off what their lasting contact has passed on.
+    fn take_off(&mut self, contact: &mut Contact) {
         let ((body, surface), axis) = (contact.ends(), contact.axis);
         let sign = if body == contact.lo { -1.0 } else { 1.0 };
         let ends = (BodyId(self.items[body as usize].id), Obstacle::Surface(self.items[surface as usize].id));
@@ -246,7 +248,12 @@ impl Events {
             *push -= sign * taken;
             contact.normal += taken;
         }
-        contact.normal >= 0.0
+        let lasted = self.now - self.items[body as usize].since;
+        if let Some(known) = self.contacts.iter_mut().find(|known| known.ends() == contact.ends() && known.axis == axis) {
+            let taken = (known.passed[0] + known.normal * lasted).min(-contact.normal).max(0.0);
+            known.passed[0] -= taken;
+            contact.normal += taken;
+        }
     }
 
     /// Lists an impulse: of an impact with its closing speed.
