@@ -1,7 +1,7 @@
 //! What links join, or contacts in media, and moves: Runge–Kutta steps of fifth or third order with a contact solve at each stage, so that bodies that
 //! press on each other fly as one. A step ends where a liquid begins or ends, a link bends or breaks, or a contact begins to part or to slip.
 
-use crate::physics::data::{Contact, Cubic, EVENTS_OF_A_BODY, FORCE_TOLERANCE, LONGEST_SHORT, Pose, SPEED_TOLERANCE};
+use crate::physics::data::{Contact, Cubic, FORCE_TOLERANCE, LONGEST_SHORT, Pose, SPEED_TOLERANCE};
 use crate::physics::exact::{events::Events, events::Scene, item::Item, item::Travel, motions::SHORTEST};
 use crate::physics::flight::steps::{CoupledStep, FIFTH_ORDER, RungeKutta, THIRD_ORDER, step_factor};
 use crate::physics::forces::Link;
@@ -44,10 +44,17 @@ impl Events {
     /// Takes a step whose error is small enough, of `longest` seconds at most. Returns its length, and whether contacts change just before its end.
     fn find_step(&mut self, scene: &Scene, longest: f64, afloat: bool) -> Option<(f64, bool)> {
         let linked = !self.links.is_empty();
-        let budget = EVENTS_OF_A_BODY * (32 + self.movable as u64) / if linked { 1 } else { 2 };
+        let budget = self.budget() / 2;
         let tolerance = MOST_ERROR[usize::from(linked)];
         let least = scene.tick * LEAST;
-        let mut h = longest.min(self.stride).min(std::mem::replace(&mut self.sliver, f64::INFINITY));
+        let mut stride = f64::INFINITY;
+        let mut sliver = f64::INFINITY;
+        for &i in &self.concerned {
+            let [longest, at_once] = self.strides[i as usize];
+            (stride, sliver) = (stride.min(longest), sliver.min(at_once));
+        }
+        let mut h = longest.min(stride).min(sliver);
+        sliver = f64::INFINITY;
         let method = if !linked && self.error_of_third_order(scene, h) <= tolerance { &THIRD_ORDER } else { &FIFTH_ORDER };
         while self.count + self.reactions.solved <= budget {
             let solved = self.reactions.solved;
@@ -67,17 +74,18 @@ impl Events {
                 let (holds, over) = self.find_change(scene, method, h, afloat);
                 self.reactions.solved = solved;
                 // The step ends just before that instant, and the next one just behind it.
-                (h, self.sliver) = if holds > least { (holds, over - holds) } else { (least, f64::INFINITY) };
+                (h, sliver) = if holds > least { (holds, over - holds) } else { (least, f64::INFINITY) };
                 continue;
             }
             if error <= tolerance || h <= least {
                 if h > least && h < longest {
-                    self.stride = h * step_factor((error / tolerance).sqrt().sqrt());
+                    stride = h * step_factor((error / tolerance).sqrt().sqrt());
                 }
+                self.concerned.iter().for_each(|i| self.strides[*i as usize] = [stride, sliver]);
                 return Some((h, changes));
             }
             h *= step_factor((error / tolerance).sqrt().sqrt()).min(0.5);
-            (self.stride, self.sliver) = (h, f64::INFINITY);
+            (stride, sliver) = (h, f64::INFINITY);
             if h < LONGEST_SHORT.min(scene.tick * SHORTEST) {
                 return None;
             }

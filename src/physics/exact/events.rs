@@ -107,13 +107,11 @@ pub(crate) struct Events {
     /// For the implicit step of what is in contact: of each item concerned, and the mean accelerations of all.
     pub(super) implicit: Vec<Implicit>,
     pub(super) means: Vec<DVec2>,
-    /// Of each item concerned: its part of a step of joined items; and how long the next may be, s.
+    /// Of each item concerned: its part of a step of joined items; and whether contacts have changed at one of its stages.
     pub(super) coupled: Vec<CoupledStep>,
-    pub(super) stride: f64,
-    /// Whether contacts have changed at one of its stages.
     pub(super) changed: bool,
-    /// How long the next one is where contacts change at once, s; else infinite.
-    pub(super) sliver: f64,
+    /// Of each item: how long its next such step may be, s, and how long it is where contacts change at once, else infinite.
+    pub(super) strides: Vec<[f64; 2]>,
 }
 
 /// How the forces of media on a body answer to its own motion within an implicit step.
@@ -172,7 +170,7 @@ impl Events {
         refill(&mut self.is_placed, all, false);
         self.coupled.clear();
         self.coupled.reserve(self.movable);
-        (self.stride, self.sliver) = (f64::INFINITY, f64::INFINITY);
+        refill(&mut self.strides, all, [f64::INFINITY; 2]);
         self.begun.clear();
         self.begun.extend(self.items.iter().map(|item| item.body.position));
         let stands = |item: &Item| Track::new(item, Cubic::parabola(item.body.position, DVec2::ZERO, DVec2::ZERO));

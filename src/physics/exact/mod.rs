@@ -71,7 +71,11 @@ impl Events {
 
     pub(crate) fn is_busy(&mut self) -> bool {
         self.count += std::mem::take(&mut self.reactions.solved);
-        self.count > EVENTS_OF_A_BODY * (32 + self.movable as u64)
+        self.count > self.budget()
+    }
+
+    pub(crate) fn budget(&self) -> u64 {
+        EVENTS_OF_A_BODY * (104 + self.movable as u64)
     }
 
     /// Where the only body of the island gets by the end of the tick, touching nothing.

@@ -10,9 +10,13 @@ use glam::DVec2;
 impl Events {
     /// Lets two things that have just parted with `speed` (m/s) bounce on in closed form.
     pub(crate) fn begin_train(&mut self, scene: &Scene, contact: &Contact, speed: f64, e: f64) {
-        let (axis, along, pair) = (contact.axis, 1 - contact.axis, [contact.ends().0, contact.ends().1]);
-        let of = pair.map(|item| item as usize);
+        let (axis, along, mut pair) = (contact.axis, 1 - contact.axis, [contact.ends().0, contact.ends().1]);
         let joined = self.is_body(pair[1]);
+        if joined && self.items[pair[0] as usize].body.mass < self.items[pair[1] as usize].body.mass {
+            // The order of rows decides no last bit.
+            pair.reverse();
+        }
+        let of = pair.map(|item| item as usize);
         if !pair.iter().all(|item| self.may_bounce(*item)) || e < 1.0 && scene.rest_speed > 0.0 {
             return;
         }
