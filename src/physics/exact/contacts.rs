@@ -99,18 +99,20 @@ impl Events {
                 continue;
             }
             let [pressed, rubbed] = contact.passed;
-            let surplus = pressed - contact.normal * scene.tick;
             let negligible = 1e-12 * contact.normal * scene.tick;
-            let rubs = if surplus > negligible {
-                rubbed - contact.friction * scene.tick
-            } else {
+            let mut surplus = pressed - contact.normal * scene.tick;
+            let mut rubs = rubbed - contact.friction * scene.tick;
+            if surplus <= negligible {
                 let lasted = pressed / contact.normal;
                 let [least, most] = [contact.rubbed.min(contact.friction), contact.rubbed.max(contact.friction)];
-                rubbed - rubbed.clamp(least * lasted, most * lasted)
-            };
+                rubs = rubbed - rubbed.clamp(least * lasted, most * lasted);
+                // Of one that began within the tick a part of its push goes with that: no row leaves the cone of friction.
+                surplus =
+                    if surplus < -negligible && rubs != 0.0 { (rubs.abs() / contact.kinetic_friction).min(pressed) } else { 0.0 };
+            }
             if surplus > negligible || rubs.abs() > negligible {
                 self.locate(scene, contact.ends().1 as usize);
-                self.note(&contact, on_axis(contact.axis, surplus.max(0.0), rubs), None);
+                self.note(&contact, on_axis(contact.axis, surplus, rubs), None);
             }
         }
     }
