@@ -3,7 +3,7 @@
 use super::reach::grown;
 use super::route::MoverPace;
 use super::schema::values::LinkRowEnd;
-use super::types::{Mover, Object, Objective, ObjectiveKind, Presser, SHIP_HALF, Switch};
+use super::types::{Mover, Object, Objective, ObjectiveKind, Presser, SHIP_HALF, StarTouch, Switch};
 use super::winnable::Checked;
 use super::{draft::Draft, gates, problem::Problem, schema::typed::FromRow};
 use crate::number::{fixed, trimmed};
@@ -101,10 +101,11 @@ fn long_holds(level: &Checked) -> Vec<Problem> {
 }
 
 fn unused_keys(level: &Checked) -> Vec<Problem> {
-    let Draft { objects, objectives, switches, .. } = level.draft;
-    let pressing = switches.iter().any(|switch| switch.item.by == Presser::Key);
+    let Draft { objects, objectives, switches, stars, .. } = level.draft;
+    let pressed = switches.iter().any(|switch| switch.item.by == Presser::Key);
+    let asked = pressed || stars.iter().any(|star| star.item.by == StarTouch::Key);
     let pads = objectives.iter().map(|pad| &pad.item).filter(|pad| pad.kind == ObjectiveKind::Physics);
-    let taken = |key| pressing || pads.clone().any(|pad| pad.fits(key));
+    let taken = |key| asked || pads.clone().any(|pad| pad.fits(key));
     let unused = objects.iter().filter(|object| object.item.key.is_some_and(|key| !taken(key)));
     let expected = tr("a PHYS row that it fits, or a row of objects.csv for what is no key");
     unused.map(|key| key.problem("kind", tr("a key object that no objective takes"), expected)).collect()

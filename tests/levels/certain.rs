@@ -173,6 +173,7 @@ fn rows_without_use_and_speeds_like_pixels() {
     told(&[("objectives.csv", keyed)], "objectives.csv:2: column \"kind\"", "a key object that no objective takes");
     let plate = [("doors.csv", "500,0,20,100,gate\n"), ("switches.csv", "600,600,60,80,gate,,key\n")];
     silent(&[&plate[..], &[("objectives.csv", keyed)]].concat());
+    silent(&[("objectives.csv", keyed), ("stars.csv", "600,600,20,20,key\n")]);
     let blue = format!("{keyed}PHYS,300,670,100,10,,,1,2,3\nOBJECT,360,660,box:40x40,50,1,2,3,0,1\n");
     told(&[("objectives.csv", &blue)], "objectives.csv:2: column \"kind\"", "a key object that no objective takes");
     let mover = |speed: &str| format!("400,300,100,20,500 300,{speed}\n");
