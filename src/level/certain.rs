@@ -142,15 +142,14 @@ fn too_heavy(level: &Checked, pad: &FromRow<Objective>) -> Option<Problem> {
     let grip = draft.settings.row.friction * Material::ICE.kinetic_friction * gravity;
     let moves = key.weightless || key.velocity != DVec2::ZERO || 2.0 * ship.thrust > grip * key.mass;
     let speed = (ship.mass * ship.velocity.length() + ship.thrust * level.burns()) / key.mass;
-    let solids = draft.world.len() + draft.doors.len() + draft.switches.len();
-    let falls = (2.0 * level.size.y / gravity).sqrt() * (solids + 1) as f64;
+    let falls = (2.0 * level.size.y / gravity).sqrt() * (draft.world.len() + draft.switches.len() + 1) as f64;
     // As long again, as the engine may lighten the key.
     let far = 2.0 * speed * (speed / grip + speed / gravity + falls);
     let own = Aabb::around(key.position, key.size * 0.5);
     let away = (own.min.x - pad.item.bounds.max.x).max(pad.item.bounds.min.x - own.max.x).max(own.min.y - pad.item.bounds.max.y);
     let found =
         tr!("{mass} kg, which nothing in the level brings to the objective of line {line}", mass = key.mass, line = pad.line);
-    (fits && !moves && draft.is_calm() && !level.bounces() && away > far)
+    (fits && !moves && draft.is_calm() && draft.doors.is_empty() && !level.bounces() && away > far)
         .then(|| row.problem("mass", found, tr("a key that the ship can move so far")))
 }
 
