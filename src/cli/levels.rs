@@ -3,7 +3,7 @@
 use super::{CommandError, Readers, Status, project::Project, shown};
 use crate::import::{self, ImportedLevel, SourceFile};
 use crate::level::schema::{Count, Kind};
-use crate::level::{self, Level, Loaded, Problem};
+use crate::level::{self, Level, Loaded, NameFault, Problem};
 use crate::pack::{self, Installed, Package};
 use crate::{files, game::DryRun, physics::World};
 use std::ffi::{OsStr, OsString};
@@ -119,12 +119,16 @@ pub struct NewArgs {
     show: bool,
 }
 
+fn judge_name(name: &str, help: &str) -> Result<(), CommandError> {
+    let refused =
+        |fault: NameFault| CommandError::Refused(format!("a level cannot be named {name:?}: expected {}{help}", fault.expected()));
+    level::judge_name(name).map_err(refused)
+}
+
 /// Errors: a name that no level can have, an existing folder, or the disk's; nothing is left behind.
 pub fn new_level(args: &NewArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let NewArgs { name, show } = args;
-    if let Err(fault) = level::judge_name(name) {
-        return Err(CommandError::Refused(format!("a level cannot be named {name:?}: expected {}", fault.expected())));
-    }
+    judge_name(name, "")?;
     let levels = project.levels();
     let folder = levels.join(name);
     let cannot = |why: String| CommandError::Refused(format!("cannot make {}: {why}", folder.display()));
@@ -242,9 +246,7 @@ pub fn unpack_level(args: &UnpackArgs, project: &Project, out: &mut dyn Write) -
     let named = shown(args.archive.display());
     let mut package = open(&args.archive).map_err(|problem| CommandError::Refused(format!("{named}: {problem}")))?;
     if let Some(name) = &args.name {
-        if let Err(fault) = level::judge_name(name) {
-            return Err(CommandError::Refused(format!("a level cannot be named {name:?}: expected {}", fault.expected())));
-        }
+        judge_name(name, "")?;
         package.name.clone_from(name);
     }
     let (files, flights) = counts(&package);
@@ -300,12 +302,7 @@ pub struct ImportArgs {
 pub fn run(args: &ImportArgs, project: &Project, out: &mut dyn Write) -> Result<Status, CommandError> {
     let stem = args.map.file_stem().unwrap_or_default().to_string_lossy();
     let name = args.name.clone().unwrap_or_else(|| stem.into_owned());
-    if let Err(fault) = level::judge_name(&name) {
-        let expected = fault.expected();
-        return Err(CommandError::Refused(format!(
-            "a level cannot be named {name:?}: expected {expected}; --as NAME gives another"
-        )));
-    }
+    judge_name(&name, "; --as NAME gives another")?;
     loop {
         let (done, sources) = import::written(&args.map, &name, &project.levels(), project.root());
         match done {

@@ -138,15 +138,24 @@ impl Draft {
         }
     }
 
-    /// Whether something may carry, throw or pull a body to any place that it fits in, with any speed: movers, belts and links.
+    /// Whether something may carry, throw or pull a body to any place that it fits in, with any speed.
     pub fn is_driven(&self) -> bool {
-        let belts = self.world.iter().any(|solid| solid.item.belt != 0.0);
-        belts || !self.movers.is_empty() || !self.links.is_empty()
+        self.has_moving_surfaces() || !self.links.is_empty()
     }
 
-    /// Whether something besides may drive a body: streams, gravity zones and liquids.
+    pub fn has_moving_surfaces(&self) -> bool {
+        !self.movers.is_empty() || self.world.iter().any(|solid| solid.item.belt != 0.0)
+    }
+
+    /// Whether something besides may drive a body: streams, gravity zones, liquids and gravity to the side.
     pub fn has_currents(&self) -> bool {
-        !self.streams.is_empty() || !self.fields.is_empty() || !self.fluids.is_empty()
+        let zones = !self.streams.is_empty() || !self.fields.is_empty() || !self.fluids.is_empty();
+        zones || self.settings.row.gravity_x != 0.0
+    }
+
+    /// Whether the engine and weights alone drive bodies.
+    pub fn is_calm(&self) -> bool {
+        !self.is_driven() && !self.has_currents()
     }
 
     pub const fn may_start(&self) -> bool {

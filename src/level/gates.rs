@@ -1,79 +1,53 @@
-//! Warnings of doors that no body can open and of pads behind red, one-way blocks and winds. A doubtful route counts as possible: a body gets
-//! anywhere in its own free space, and fragile blocks and movers are no obstacles.
+//! Warnings of switches and objectives behind red, one-way blocks, winds and doors. A doubtful route counts as possible: a body gets anywhere in
+//! its own free space, and fragile blocks and movers are no obstacles.
 
-use super::reach::{FreeSpace, grown, shared};
+use super::reach::{FreeSpace, grown};
 use super::types::{SHIP_HALF, SwitchStay};
 use super::winnable::{Checked, TouchGoal};
 use super::wiring::{SwitchesByName, Wire, Worked};
-use super::{draft::Draft, numbers::MIN_SIZE, problem::Problem};
+use super::{numbers::MIN_SIZE, problem::Problem, schema::typed::FromRow};
 use crate::physics::{Aabb, DVec2, Sides};
 use crate::words::tr;
 
-/// The most one-way blocks and winds that are looked at.
-const MOST_VALVES: usize = 32;
-/// The most ways to hold the switches of a door that are tried.
-const MOST_WAYS: usize = 1000;
+/// Of obstacles, as in [`Gates::spaces`].
+const KINDS: usize = 4;
 
 pub(super) fn warn(level: &Checked) -> Vec<Problem> {
-    let &Checked { draft, space, .. } = level;
-    let valves = valves(level);
-    if draft.switches.is_empty() && draft.doors.is_empty() && draft.obstacles.is_empty() && valves.is_empty() {
+    let mut gates = Gates::new(level);
+    let draft = level.draft;
+    if draft.switches.is_empty() && draft.doors.is_empty() && draft.obstacles.is_empty() && gates.valves.is_empty() {
         return Vec::new();
     }
-    let mut gates = Gates::new(level, valves);
     gates.play();
-    let all = vec![true; draft.doors.len()];
-    let off_red = gates.spaces([&all, &all], &[]);
-    let past_doors = gates.spaces([&all, &all], &gates.shut);
-    let held = gates.spaces([&gates.open, &gates.open], &gates.shut);
-    let last = gates.spaces([&gates.passed, &gates.open], &gates.shut);
-    let gets = |goal: &TouchGoal, spaces: [&FreeSpace; 2]| goal.gets(level, spaces) != [false; 2];
-    // What keeps all from a goal, and what it takes instead.
-    let barred = |goal: &TouchGoal| {
-        let in_turn = [[space; 2], [&off_red[0], space], past_doors.each_ref()];
-        let first = in_turn.into_iter().position(|spaces| !gets(goal, spaces));
-        first.unwrap_or(if gets(goal, held.each_ref()) { 3 } else { 4 })
+    let in_turn: [_; KINDS + 1] = std::array::from_fn(|kinds| gates.spaces(kinds));
+    // Three for each kind of obstacles and for rock before them: what is found of a switch and of an objective, and what is expected.
+    let words = |barred: usize, which: usize| {
+        tr([
+            "a switch that nothing which works it gets to",
+            "an objective that the ship cannot get to",
+            "free space from the start of what works it",
+            "a switch that the ship gets to through red alone",
+            "an objective that the ship gets to through red alone",
+            "a route for the ship that keeps off the rows of obstacles.csv",
+            "a switch behind a one-way block or a wind that lets nothing through",
+            "an objective behind a one-way block or a wind that lets nothing through",
+            "a route to it along which nothing stops what comes from the start",
+            "a switch behind a door that nothing opens",
+            "an objective behind a door that nothing opens",
+            "a switch in reach for each door on the route, or a route around",
+            "a switch behind a door that closes before the ship gets there",
+            "an objective behind a door that closes before the ship gets there",
+            "a switch that stays on or lies beside its door, or something else that holds it",
+        ][3 * barred + which])
     };
-    let expected = [
-        tr("free space from the start of what works it"),
-        tr("a route for the ship that keeps off the rows of obstacles.csv"),
-        tr("a route to it along which nothing stops what comes from the start"),
-        tr("a switch that stays on or lies beside its door, or something else that holds it"),
-    ];
-    let pressed = draft.switches.iter().enumerate().filter(|(index, _)| !gates.pressed[*index]);
-    let switches = pressed.map(|(index, switch)| {
-        let cause = barred(&TouchGoal::from(&switch.item));
-        let found = [
-            tr("a switch that nothing which works it gets to"),
-            tr("a switch that the ship gets to through red alone"),
-            tr("a switch behind a one-way block or a wind that lets nothing through"),
-            tr("a switch behind a door that closes before the ship gets there"),
-        ];
-        if let (Some(found), Some(expected)) = (found.get(cause), expected.get(cause)) {
-            return switch.problem("x", *found, *expected);
-        }
-        let own = (0..gates.open.len()).find(|&door| !gates.open[door] && gates.opens(index, door));
-        let whose = own.map_or_else(
-            || tr("a door that nothing opens").to_owned(),
-            |door| tr!("its own door, line {line} of doors.csv", line = draft.doors[door].line),
-        );
-        let route = tr("a route to it that needs no closed door, or another switch for the door");
-        switch.problem("x", tr!("a switch behind {whose}", whose), route)
-    });
-    let unmet = draft.objectives.iter().filter(|pad| !gets(&TouchGoal::from(&pad.item), last.each_ref()));
-    let pads = unmet.map(|pad| {
-        let cause = barred(&TouchGoal::from(&pad.item));
-        let found = [
-            tr("an objective that the ship cannot get to"),
-            tr("an objective that the ship gets to through red alone"),
-            tr("an objective behind a one-way block or a wind that lets nothing through"),
-            tr("an objective behind a door that closes before the ship gets there"),
-            tr("an objective behind a door that nothing opens"),
-        ];
-        let route = tr("a switch in reach for each door on the route, or a route around");
-        pad.problem("x", found[cause], *expected.get(cause).unwrap_or(&route))
-    });
-    switches.chain(pads).collect()
+    let switches = draft.switches.iter().zip(&gates.pressed).filter(|(_, pressed)| !**pressed);
+    let switches = switches.map(|(switch, _)| (switch.map(TouchGoal::of_switch), 0));
+    let goals = switches.chain(draft.objectives.iter().map(|pad| (pad.map(TouchGoal::of_pad), 1)));
+    let warning = |(goal, which): (FromRow<TouchGoal>, usize)| {
+        let barred = in_turn.iter().position(|spaces| goal.item.gets(level, spaces.each_ref()) == [false; 2])?;
+        Some(goal.problem("x", words(barred, which), words(barred, 2)))
+    };
+    goals.filter_map(warning).collect()
 }
 
 /// A line that lets bodies through to one side alone.
@@ -117,7 +91,6 @@ fn valves(level: &Checked) -> Vec<Valve> {
             }
         }
     }
-    valves.truncate(MOST_VALVES);
     valves
 }
 
@@ -127,7 +100,6 @@ const NARROWER: f64 = SHIP_HALF.x - 0.45;
 /// A level's gates, and what is known of them, from less to more.
 struct Gates<'a> {
     level: &'a Checked<'a>,
-    draft: &'a Draft,
     /// Of each door.
     wires: Vec<Option<Wire>>,
     valves: Vec<Valve>,
@@ -144,13 +116,13 @@ struct Gates<'a> {
 }
 
 impl<'a> Gates<'a> {
-    fn new(level: &'a Checked<'a>, valves: Vec<Valve>) -> Self {
+    fn new(level: &'a Checked<'a>) -> Self {
         let draft = level.draft;
         let switches = SwitchesByName::new(draft.switches.iter().map(|switch| &switch.item));
         let doors = draft.doors.iter().enumerate();
+        let valves = valves(level);
         Self {
             level,
-            draft,
             wires: doors.map(|(index, door)| switches.wire(door.item.name.as_deref()?, Worked::Door(index))).collect(),
             pressed: vec![false; draft.switches.len()],
             lasting: draft.switches.iter().map(|switch| switch.item.latch != SwitchStay::Held).collect(),
@@ -161,73 +133,58 @@ impl<'a> Gates<'a> {
         }
     }
 
-    /// Whether a door needs that switch, or another one of the same name, to be pressed.
-    fn opens(&self, switch: usize, door: usize) -> bool {
-        self.wires[door].as_ref().is_some_and(|wire| wire.by.iter().flatten().any(|by| *by == (switch, false)))
-    }
-
-    /// Where the ship gets, off red, and where objects get, each with its open doors.
-    fn spaces(&self, open: [&[bool]; 2], shut: &[bool]) -> [FreeSpace; 2] {
-        let closed = |ship: bool| {
-            let doors = self.draft.doors.iter().zip(open[usize::from(!ship)]).filter(|(_, open)| !**open);
-            let valves = self.valves.iter().zip(shut).filter(move |(valve, shut)| **shut && (ship || !valve.of_ship));
-            doors.map(|(door, _)| door.item.bounds).chain(valves.map(|(valve, _)| valve.line))
-        };
-        let red = self.draft.obstacles.iter().map(|red| grown(&red.item, DVec2::splat(-NARROWER)));
-        [self.level.space.with(closed(true).chain(red)), self.level.space.with(closed(false))]
+    /// Where the ship gets and where objects get, kept off by the first kinds of obstacles: red, valves, doors that nothing opens, and doors
+    /// that are closed when the ship comes.
+    fn spaces(&self, kinds: usize) -> [FreeSpace; 2] {
+        let Checked { draft, space, .. } = self.level;
+        [true, false].map(|ship| {
+            let red = draft.obstacles.iter().filter(|_| ship && kinds > 0);
+            let valves = self.valves.iter().zip(&self.shut).filter(|(valve, shut)| kinds > 1 && **shut && (ship || !valve.of_ship));
+            let open = if ship && kinds == KINDS { &self.passed } else { &self.open };
+            let doors = draft.doors.iter().zip(open).filter(|(_, open)| kinds > 2 && !**open);
+            let red = red.map(|red| grown(&red.item, DVec2::splat(-NARROWER)));
+            space.with(red.chain(valves.map(|(valve, _)| valve.line)).chain(doors.map(|(door, _)| door.item.bounds)))
+        })
     }
 
     /// From the switches in reach at the start, door after door.
     fn play(&mut self) {
-        let draft = self.draft;
+        let Checked { draft, space, .. } = *self.level;
         let objects = draft.objects.iter().map(|object| (object.item.position, object.item.size * 0.5));
         // An object in its way keeps a door open.
-        let room = |door: &Aabb| Some(beside(door)).filter(|_| !objects.clone().any(|body| self.level.space.gets_to(body, door)));
-        let rooms: Vec<Option<Aabb>> = draft.doors.iter().map(|door| room(&door.item.bounds)).collect();
-        let mut news = true;
-        while news {
-            let open = |(wire, room): (&Option<Wire>, &Option<Aabb>)| {
-                wire.as_ref().is_some_and(|wire| self.together(&wire.by, *room, &mut MOST_WAYS.clone()))
-            };
-            let passed = self.wires.iter().zip(&rooms).map(open).collect();
-            self.open = self.wires.iter().map(|wire| open((wire, &None))).collect();
-            self.passed = passed;
-            let [ships, others] = self.spaces([&self.passed, &self.open], &self.shut);
-            news = false;
+        let jammed: Vec<bool> =
+            draft.doors.iter().map(|door| objects.clone().any(|body| space.gets_to(body, &door.item.bounds))).collect();
+        loop {
+            let before = [self.pressed.clone(), self.lasting.clone(), self.shut.clone()];
+            self.open = (0..jammed.len()).map(|door| self.opens(door, true)).collect();
+            self.passed = (0..jammed.len()).map(|door| self.opens(door, jammed[door])).collect();
+            let [ships, others] = self.spaces(KINDS);
             for (index, switch) in draft.switches.iter().enumerate() {
-                if self.lasting[index] && self.pressed[index] {
-                    continue;
-                }
-                let [by_ship, by_others] = TouchGoal::from(&switch.item).gets(self.level, [&ships, &others]);
-                news |= (by_ship || by_others) && !self.pressed[index] || by_others && !self.lasting[index];
+                let [by_ship, by_others] = TouchGoal::of_switch(&switch.item).gets(self.level, [&ships, &others]);
                 self.pressed[index] |= by_ship || by_others;
                 self.lasting[index] |= by_others;
             }
-            for (valve, shut) in self.valves.iter().zip(&mut self.shut).filter(|(_, shut)| **shut) {
+            for (valve, shut) in self.valves.iter().zip(&mut self.shut) {
                 let past = |body| !valve.of_ship && others.gets_to(body, &valve.behind);
-                *shut = !ships.gets_to(self.level.ship_box(), &valve.behind) && !objects.clone().any(past);
-                news |= !*shut;
+                *shut &= !ships.gets_to(self.level.ship_box(), &valve.behind) && !objects.clone().any(past);
+            }
+            if before == [&self.pressed, &self.lasting, &self.shut].map(Vec::clone) {
+                return;
             }
         }
     }
 
-    /// Whether switches of all names can be on at once, with the ship in a `room`, where it alone holds some of them. One behind a `!` is on
-    /// until it is pressed.
-    fn together(&self, names: &[Vec<(usize, bool)>], room: Option<Aabb>, ways: &mut usize) -> bool {
-        let (Some((first, rest)), Some(left)) = (names.split_first(), ways.checked_sub(1)) else { return true };
-        *ways = left;
-        first.iter().any(|&(switch, inverted)| {
-            if inverted || self.pressed[switch] && self.lasting[switch] {
-                return self.together(rest, room, ways);
-            }
-            let near = beside(&self.draft.switches[switch].item.bounds);
-            let both = room.map_or(near, |room| shared(&room, &near));
-            self.pressed[switch] && both.min.cmple(both.max).all() && self.together(rest, Some(both), ways)
-        })
+    /// Whether a switch of each of its names turns a door on: one behind a `!` until it is pressed, one that the ship alone holds down, with the
+    /// ship beside the door, or `anywhere`.
+    fn opens(&self, door: usize, anywhere: bool) -> bool {
+        let draft = self.level.draft;
+        // Where the ship's centre is beside a box, with its own width to spare, for what it does in a tick.
+        let beside = |bounds: &Aabb| grown(bounds, 2.0 * SHIP_HALF);
+        let near =
+            |switch: usize| beside(&draft.doors[door].item.bounds).touches(&beside(&draft.switches[switch].item.bounds), 0.0);
+        let on = |&(switch, inverted): &(usize, bool)| {
+            inverted || self.pressed[switch] && (anywhere || self.lasting[switch] || near(switch))
+        };
+        self.wires[door].as_ref().is_some_and(|wire| wire.by.iter().all(|by| by.iter().any(on)))
     }
-}
-
-/// Where the ship's centre is beside a box, with its own width to spare, for what it does in a tick.
-fn beside(bounds: &Aabb) -> Aabb {
-    grown(bounds, 2.0 * SHIP_HALF)
 }

@@ -1,8 +1,8 @@
-//! Names: those of the files in a level's folder, and those of the things that its switches work; and warnings of unreadable words.
+//! Names: those of the files in a level's folder, and those of the things that its switches work.
 
 use super::problem::{MOST_PROBLEMS, Problem, at_most, meant, nearest, quoted};
 use super::{draft::Draft, image::BACKGROUND, schema::FILES, schema::typed::FromRow, wiring::names_in};
-use crate::{physics::DVec2, words::tr};
+use crate::words::tr;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A file that no level has, among the `names` in a level's folder.
@@ -144,42 +144,9 @@ pub(super) fn warn(draft: &Draft) -> Vec<Problem> {
     world.chain(movers).chain(doors).chain(streams).chain(links).filter_map(warning).take(MOST_PROBLEMS).collect()
 }
 
-/// The least width of a letter, in heights of it: only words that run out in any case are reported.
-const NARROWEST: f64 = 0.36;
-
-/// Letters that the game's typefaces lack, and texts that run out of a level of `size` metres.
-pub(super) fn warn_of_texts(draft: &Draft, size: DVec2) -> Vec<Problem> {
-    let mut warnings = Vec::new();
-    for text in &draft.texts {
-        let words = &text.item.text;
-        warnings.extend(lacking(text, words));
-        let end = text.item.position + DVec2::new(words.chars().count() as f64 * NARROWEST, 1.0) * text.item.size;
-        if text.item.position.cmplt(DVec2::ZERO).any() || end.cmpgt(size + text.item.size * 0.5).any() {
-            let found = tr!("{words}, which runs out of the level", words = quoted(words));
-            warnings.push(text.problem("x", found, tr("words that end within it")));
-        }
-    }
-    warnings.extend(draft.hints.iter().filter_map(|hint| lacking(hint, &hint.item)));
-    warnings
-}
-
-/// The first letter of words in a row that would be drawn as a box.
-fn lacking<T>(row: &FromRow<T>, words: &str) -> Option<Problem> {
-    let letter = words.chars().find(|letter| !is_drawn(*letter))?;
-    let found = tr!("{letter}, which would be drawn as a box", letter = quoted(&letter.to_string()));
-    Some(row.problem("text", found, tr("letters of Latin, Greek or Cyrillic, signs and arrows, on one line")))
-}
-
-/// No line break, and no letter of a script that the typefaces lack.
-fn is_drawn(letter: char) -> bool {
-    let lacking = matches!(u32::from(letter),
-        0x0590..=0x109F | 0x1100..=0x11FF | 0x2E80..=0xA4CF | 0xA960..=0xD7FF | 0xF900..=0xFAFF | 0xFB50..=0xFDFF | 0x1F000..);
-    !letter.is_control() && !lacking
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{FILES, Stray, is_drawn, misnamed_flights, stray};
+    use super::{FILES, Stray, misnamed_flights, stray};
 
     fn expected(file: &str, names: &[&str]) -> Option<(&'static str, String)> {
         let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
@@ -231,13 +198,5 @@ mod tests {
                 "flights/b.replay.csv.txt: found a file that is no flight by its name, expected a name such as \"b.replay.csv\"",
             ]
         );
-    }
-
-    #[test]
-    fn what_the_typefaces_lack_is_known() {
-        assert!("Über → 10 m/s², Ωж ≥ ½ ✓".chars().all(is_drawn));
-        for letter in ['日', '한', 'ع', 'ש', '😀', '\n', '\u{7}'] {
-            assert!(!is_drawn(letter), "{letter:?}");
-        }
     }
 }

@@ -2,7 +2,7 @@
 //! boxes at the median of their centres along its longer side; nodes lie in the order of a descent, each with the index that follows a miss.
 
 use super::problem::{MOST_PROBLEMS, Problem, at_most};
-use super::reach::{FreeSpace, OVERLAP, SearchWork};
+use super::reach::{FreeSpace, OVERLAP};
 use super::types::{Fluid, SHIP_HALF, Solid};
 use super::wiring::{SwitchesByName, Worked};
 use super::{draft::Draft, schema::typed::FromRow};
@@ -10,7 +10,6 @@ use crate::number::{fixed, trimmed};
 use crate::physics::domain::{LIQUIDS_OVERLAP, MOST_LIQUIDS, MOST_ZONES};
 use crate::physics::{Aabb, DVec2, Sides};
 use crate::words::tr;
-use std::rc::Rc;
 
 /// Its name in messages, and its box.
 type Named = (&'static str, FromRow<Aabb>);
@@ -40,7 +39,7 @@ fn too_many<T>(rows: &[FromRow<T>], kind: &str, most: usize, problems: &mut Vec<
 }
 
 /// The ship and every object that start outside the level or inside something solid: one problem a body.
-pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
+pub(super) fn check(draft: &Draft) -> Vec<Problem> {
     let blocks = draft.world.iter().filter(|solid| solid.item.sides == Sides::ALL);
     let mut solids: Vec<Named> = blocks.map(|solid| (tr("the solid"), solid.map(|solid| solid.bounds))).collect();
     solids.extend(draft.movers.iter().map(|mover| (tr("the mover"), mover.map(|mover| mover.solid.bounds))));
@@ -67,7 +66,6 @@ pub(super) fn check(draft: &Draft, work: &SearchWork) -> Vec<Problem> {
         let mut first = solids.len() + i;
         tree.search(&body.item, -0.5 * OVERLAP, |index| {
             let index = index as usize;
-            work.count(1);
             if index < first && all[index].1.item.overlaps(&body.item, OVERLAP) {
                 first = index;
             }
@@ -127,10 +125,10 @@ fn outside(name: &str, body: &FromRow<Aabb>, draft: &Draft) -> Option<Problem> {
 }
 
 /// The space without rock, in a level of that size in metres.
-pub(super) fn space(draft: &Draft, size: DVec2, work: Rc<SearchWork>) -> FreeSpace {
+pub(super) fn space(draft: &Draft, size: DVec2) -> FreeSpace {
     let rock = draft.world.iter().filter(|solid| solid.item.is_rock()).map(|solid| solid.item.bounds);
     let solids = rock.chain(draft.streams.iter().map(|stream| stream.item.source)).collect();
-    FreeSpace::new(Aabb::new(DVec2::ZERO, size), solids, work)
+    FreeSpace::new(Aabb::new(DVec2::ZERO, size), solids)
 }
 
 /// The node is no leaf.

@@ -1,6 +1,6 @@
 //! Where a box can get among solids, exactly: its centre moves like a point among the solids grown by its half size. Their edges cut the level into
 //! a grid, whose cells are the open intervals between two edges and the edges themselves (a box may slide through a gap of exactly its size).
-//! A doubtful place counts as reached: objects are no obstacles to each other, and none is too heavy to push.
+//! A doubtful place counts as reached.
 
 use crate::physics::{Aabb, DVec2};
 use std::cell::{Cell, RefCell};
@@ -8,116 +8,70 @@ use std::{collections::BTreeMap, ops::RangeInclusive, rc::Rc};
 
 /// How far things may overlap at the start, m: pixels that touch overlap by rounding, which must not close a gap either.
 pub(super) const OVERLAP: f64 = 1e-6;
-/// The largest grid that is searched, cells: 4 million take about 50 ms; and the most sizes of boxes.
+/// The largest grid that is searched, cells: 4 million take about 50 ms.
 const MOST_CELLS: usize = 4_000_000;
-const MOST_SIZES: usize = 16;
 /// The most cells that all searches of a level look at together.
-pub(super) const MOST_WORK: u64 = 20_000_000;
-
-/// The cost of a level's searches so far, in cells looked at.
-#[derive(Debug, Default)]
-pub(super) struct SearchWork(Cell<u64>);
-
-impl SearchWork {
-    /// Whether the budget allows `cells` more cells; takes them from it then.
-    pub fn spend(&self, cells: usize) -> bool {
-        let allowed = self.0.get() + cells as u64 <= MOST_WORK;
-        self.count(if allowed { cells } else { 0 });
-        allowed
-    }
-
-    /// Counts looks that have a bound of their own.
-    pub fn count(&self, looks: usize) {
-        self.0.set(self.0.get() + looks as u64);
-    }
-
-    #[cfg(test)]
-    pub fn spent(&self) -> u64 {
-        self.0.get()
-    }
-}
-
-pub(super) struct FreeSpace {
-    level: Aabb,
-    solids: Vec<Aabb>,
-    pub work: Rc<SearchWork>,
-    /// Of each size; `None` where the level is too large to search.
-    grids: RefCell<Vec<(DVec2, Option<Grid>)>>,
-}
-
-/// A connected part of the free space of one size: the index of its grid, and the part's number.
-type FreePart = (usize, u32);
+const MOST_WORK: usize = 20_000_000;
 
 /// Centre and half size.
 pub(super) type CentredBox = (DVec2, DVec2);
 
+pub(super) struct FreeSpace {
+    level: Aabb,
+    solids: Vec<Aabb>,
+    /// The cells that the searches of a level have looked at.
+    work: Rc<Cell<usize>>,
+    /// By the bits of the half size of a box.
+    grids: RefCell<BTreeMap<[u64; 2], Rc<Grid>>>,
+}
+
 impl FreeSpace {
-    pub fn new(level: Aabb, solids: Vec<Aabb>, work: Rc<SearchWork>) -> Self {
-        Self { level, solids, work, grids: RefCell::default() }
+    pub fn new(level: Aabb, solids: Vec<Aabb>) -> Self {
+        Self { level, solids, work: Rc::default(), grids: RefCell::default() }
     }
 
     pub fn with(&self, more: impl IntoIterator<Item = Aabb>) -> Self {
-        Self::new(self.level, self.solids.iter().copied().chain(more).collect(), self.work.clone())
+        let solids = self.solids.iter().copied().chain(more).collect();
+        Self { work: self.work.clone(), ..Self::new(self.level, solids) }
     }
 
     /// Whether a body gets to a place from which it touches a box; true where the level is too large to say, or the body starts in a solid.
     pub fn gets_to(&self, body: CentredBox, target: &Aabb) -> bool {
-        let Some((grid, part)) = self.part(body) else { return true };
-        let grids = self.grids.borrow();
-        let Some(grid) = &grids[grid].1 else { return true };
-        grid.has(part, &grown(target, body.1 + OVERLAP), &self.work)
+        let (Some(grid), Some(part)) = (self.grid(body.1), self.part(body)) else { return true };
+        let [columns, mut rows] = grid.cells(&grown(target, body.1 + OVERLAP));
+        let cells = |row: usize| row * grid.columns() + columns.start()..=row * grid.columns() + columns.end();
+        rows.any(|row| !self.may_look_at(columns.clone().count()) || grid.parts[cells(row)].contains(&part))
     }
 
-    /// The indices of the bodies that neither the ship reaches nor a body that it pushes or that is `moved` otherwise; none where the level is
-    /// too large to say.
-    pub fn unreached(&self, ship: CentredBox, bodies: &[CentredBox], moved: impl Fn(usize) -> bool) -> Vec<usize> {
-        let parts: Option<Vec<FreePart>> = bodies.iter().chain([&ship]).map(|body| self.part(*body)).collect();
-        let Some(parts) = parts else { return Vec::new() };
-        let mut waiting: BTreeMap<FreePart, Vec<usize>> = BTreeMap::new();
-        (0..bodies.len()).for_each(|body| waiting.entry(parts[body]).or_default().push(body));
-        let begins = (0..parts.len()).filter(|body| *body == bodies.len() || moved(*body));
-        let mut reached: Vec<FreePart> = begins.map(|body| parts[body]).collect();
-        while let Some(from) = reached.pop() {
-            waiting.remove(&from);
-            waiting.retain(|part, _| {
-                let touched = self.touch(from, *part);
-                reached.extend(touched.then_some(*part));
-                !touched
-            });
-        }
-        let mut unreached: Vec<usize> = waiting.into_values().flatten().collect();
-        unreached.sort_unstable();
-        unreached
-    }
-
-    /// Whether a box in one part can touch a box in another one.
-    fn touch(&self, (from, part): FreePart, (to, other): FreePart) -> bool {
-        let grids = self.grids.borrow();
-        let (Some(from), Some(to)) = (&grids[from].1, &grids[to].1) else { return true };
-        let mut cells = (0..to.parts.len()).filter(|cell| to.parts[*cell] == other);
-        !self.work.spend(to.parts.len())
-            || cells.any(|cell| from.has(part, &grown(&to.area(cell), from.half + to.half + OVERLAP), &self.work))
-    }
-
-    /// `None` where the level is too large to search, or the body starts in a solid.
-    fn part(&self, (centre, half): CentredBox) -> Option<FreePart> {
-        let known = self.grids.borrow().iter().position(|(known, _)| *known == half);
-        let mut grids = self.grids.borrow_mut();
-        let index = known.unwrap_or_else(|| {
-            let cells = (4 * self.solids.len() + 5).pow(2);
-            let search = grids.len() < MOST_SIZES && cells <= MOST_CELLS && self.work.spend(cells);
-            grids.push((half, search.then(|| Grid::new(half, &self.level, &self.solids))));
-            grids.len() - 1
-        });
-        let grid = grids[index].1.as_ref()?;
+    /// The connected part of the free space of boxes of that size; `None` where the level is too large to say, or the body starts in a solid.
+    pub fn part(&self, (centre, half): CentredBox) -> Option<u32> {
+        let grid = self.grid(half)?;
         let [x, y] = grid.cells(&Aabb::new(centre, centre));
-        let part = grid.parts[y.start() * grid.columns() + x.start()];
-        (part != BLOCKED).then_some((index, part))
+        Some(grid.parts[y.start() * grid.columns() + x.start()]).filter(|part| *part != BLOCKED)
+    }
+
+    fn grid(&self, half: DVec2) -> Option<Rc<Grid>> {
+        let size = half.to_array().map(f64::to_bits);
+        let known = self.grids.borrow().get(&size).cloned();
+        known.or_else(|| {
+            let cells = (4 * self.solids.len() + 5).pow(2);
+            let search = cells <= MOST_CELLS && self.may_look_at(cells);
+            let grid = search.then(|| Rc::new(Grid::new(half, &self.level, &self.solids)))?;
+            self.grids.borrow_mut().insert(size, grid.clone());
+            Some(grid)
+        })
+    }
+
+    /// Whether that many more cells are within what all searches may look at; counts them then.
+    fn may_look_at(&self, cells: usize) -> bool {
+        let work = self.work.get() + cells;
+        let allowed = work <= MOST_WORK;
+        self.work.set(if allowed { work } else { self.work.get() });
+        allowed
     }
 }
 
 struct Grid {
-    half: DVec2,
     /// Of x and of y, ascending, without repeats. Cell 2i + 1 is edge i, cell 2i the open interval before it.
     edges: [Vec<f64>; 2],
     /// The connected part of the free space that each cell belongs to, row by row.
@@ -130,31 +84,32 @@ const FREE: u32 = u32::MAX;
 
 impl Grid {
     fn new(half: DVec2, level: &Aabb, solids: &[Aabb]) -> Self {
-        let grown = solids.iter().map(|solid| grown(solid, half - OVERLAP));
-        let grown: Vec<Aabb> = grown.filter(|grown| grown.min.cmplt(grown.max).all()).collect();
-        let inside = Aabb::new(level.min + half - OVERLAP, level.max - half + OVERLAP);
+        let solids = solids.iter().map(|solid| grown(solid, half - OVERLAP));
+        let solids: Vec<Aabb> = solids.filter(|solid| solid.min.cmplt(solid.max).all()).collect();
+        let inside = grown(level, OVERLAP - half);
         let edges = [0, 1].map(|axis| {
-            let mut edges: Vec<f64> = grown.iter().chain([&inside]).flat_map(|b| [b.min[axis], b.max[axis]]).collect();
+            let mut edges: Vec<f64> = solids.iter().chain([&inside]).flat_map(|b| [b.min[axis], b.max[axis]]).collect();
             edges.sort_unstable_by(f64::total_cmp);
             edges.dedup();
             edges
         });
-        let mut grid = Self { half, edges, parts: Vec::new() };
-        let solids: Vec<_> = grown.iter().map(|solid| grid.cells(solid)).collect();
-        let [across, down] = grid.cells(&inside);
-        for row in 0..2 * grid.edges[1].len() + 1 {
-            // How many solids begin less how many end at each cell: an edge itself stays free.
-            let mut begun = vec![0; grid.columns()];
-            for [x, _] in solids.iter().filter(|[_, y]| (y.start() + 1..*y.end()).contains(&row)) {
-                begun[x.start() + 1] += 1;
-                begun[*x.end()] -= 1;
+        let mut grid = Self { edges, parts: Vec::new() };
+        let columns = grid.columns();
+        // How many solids cover each cell: the sum of what begins and ends at it, to its left and above. An edge itself stays free.
+        let mut covers = vec![0; columns * (2 * grid.edges[1].len() + 1)];
+        for solid in &solids {
+            let [x, y] = grid.cells(solid);
+            for (row, begins) in [(y.start() + 1, 1), (*y.end(), -1)] {
+                covers[row * columns + x.start() + 1] += begins;
+                covers[row * columns + x.end()] -= begins;
             }
-            let mut over = 0;
-            grid.parts.extend(begun.iter().enumerate().map(|(column, begun)| {
-                over += begun;
-                if over == 0 && across.contains(&column) && down.contains(&row) { FREE } else { BLOCKED }
-            }));
         }
+        for cell in columns + 1..covers.len() {
+            covers[cell] += covers[cell - 1] + covers[cell - columns] - covers[cell - columns - 1];
+        }
+        let [across, down] = grid.cells(&inside);
+        let is_free = |cell: usize| covers[cell] == 0 && across.contains(&(cell % columns)) && down.contains(&(cell / columns));
+        grid.parts = (0..covers.len()).map(|cell| if is_free(cell) { FREE } else { BLOCKED }).collect();
         grid.flood();
         grid
     }
@@ -188,28 +143,10 @@ impl Grid {
             cell(area.min[axis])..=cell(area.max[axis])
         })
     }
-
-    fn area(&self, cell: usize) -> Aabb {
-        let [x, y] = [cell % self.columns(), cell / self.columns()];
-        let at = |x: usize, y: usize| DVec2::new(self.edges[0][x / 2], self.edges[1][y / 2]);
-        Aabb::new(at(x - 1, y - 1), at(x, y))
-    }
-
-    /// Whether a part has a point in a rectangle, its edges included; true where a look would cost too much.
-    fn has(&self, part: u32, area: &Aabb, work: &SearchWork) -> bool {
-        let [columns, mut rows] = self.cells(area);
-        let cells = |row: usize| row * self.columns() + columns.start()..=row * self.columns() + columns.end();
-        rows.any(|row| !work.spend(columns.clone().count()) || self.parts[cells(row)].contains(&part))
-    }
 }
 
 pub(super) fn grown(bounds: &Aabb, by: DVec2) -> Aabb {
     Aabb::new(bounds.min - by, bounds.max + by)
-}
-
-/// The points that two boxes share: none where its sides are negative.
-pub(super) fn shared(a: &Aabb, b: &Aabb) -> Aabb {
-    Aabb::new(a.min.max(b.min), a.max.min(b.max))
 }
 
 #[cfg(test)]
@@ -219,10 +156,10 @@ mod tests {
     fn space(solids: &[[f64; 4]]) -> FreeSpace {
         let aabb = |[x, y, w, h]: [f64; 4]| Aabb::new(DVec2::new(x, y), DVec2::new(x + w, y + h));
         let solids = solids.iter().copied().map(aabb).collect();
-        FreeSpace::new(aabb([0.0, 0.0, 100.0, 100.0]), solids, Rc::default())
+        FreeSpace::new(aabb([0.0, 0.0, 100.0, 100.0]), solids)
     }
 
-    fn body(x: f64, y: f64, half: f64) -> (DVec2, DVec2) {
+    fn body(x: f64, y: f64, half: f64) -> CentredBox {
         (DVec2::new(x, y), DVec2::splat(half))
     }
 
@@ -233,42 +170,30 @@ mod tests {
         let space = space(&solids);
         let targets = (0..2000).map(|i| Aabb::new(DVec2::new(50.0, 1.0), DVec2::new(51.0, 1.0 + 0.01 * f64::from(i))));
         assert!(targets.into_iter().all(|target| space.gets_to(body(80.0, 50.0, 1.0), &target)));
-        let cells = (2 * (2 * 480 + 2) + 1_u64).pow(2);
-        assert!(space.work.spent() <= 2 * cells, "{} of {cells} cells", space.work.spent());
+        let cells = (2 * (2 * 480 + 2) + 1_usize).pow(2);
+        assert!(space.work.get() <= 2 * cells, "{} of {cells} cells", space.work.get());
         // Nothing is searched beyond what all may cost.
-        let mut spent = 0;
         for i in 0..40 {
-            space
-                .with([Aabb::new(DVec2::ZERO, DVec2::splat(f64::from(i + 1)))])
-                .gets_to(body(80.0, 50.0, 1.0), &Aabb::around(DVec2::ONE, DVec2::ONE));
-            spent = space.work.spent();
+            let space = space.with([Aabb::new(DVec2::ZERO, DVec2::splat(f64::from(i + 1)))]);
+            space.gets_to(body(80.0, 50.0, 1.0), &Aabb::around(DVec2::ONE, DVec2::ONE));
         }
-        assert!(spent <= MOST_WORK && spent + 4 * cells > MOST_WORK, "{spent}");
+        let work = space.work.get();
+        assert!(work <= MOST_WORK && work + 4 * cells > MOST_WORK, "{work}");
     }
 
-    /// A wall at x = 50 … 52 with a gap of `gap` at the floor.
-    fn wall(gap: f64) -> [f64; 4] {
-        [50.0, 0.0, 2.0, 100.0 - gap]
-    }
-
+    /// At x = 50 … 52.
     #[test]
-    fn a_closed_wall_separates_and_a_gap_of_exactly_the_ships_size_does_not() {
-        let ship = body(10.0, 50.0, 1.0);
-        let objects = [body(20.0, 20.0, 0.5), body(80.0, 20.0, 0.5)];
-        assert_eq!(space(&[wall(0.0)]).unreached(ship, &objects, |_| false), [1]);
-        assert!(space(&[wall(2.0)]).unreached(ship, &objects, |_| false).is_empty());
-        assert!(space(&[]).unreached(ship, &objects, |_| false).is_empty());
-    }
-
-    #[test]
-    fn what_can_come_out_or_be_touched_through_a_gap_is_reached() {
-        let ship = body(10.0, 50.0, 1.0);
-        // Too narrow for the ship, wide enough for the object.
-        assert!(space(&[wall(1.5)]).unreached(ship, &[body(80.0, 20.0, 0.5)], |_| false).is_empty());
-        // Too narrow for both, and the wall is thick.
-        assert_eq!(space(&[wall(1.5)]).unreached(ship, &[body(80.0, 20.0, 0.8)], |_| false), [0]);
-        // A smaller object can be pushed through and reaches the large one.
-        let objects = [body(80.0, 20.0, 0.8), body(20.0, 20.0, 0.7)];
-        assert!(space(&[wall(1.5)]).unreached(ship, &objects, |_| false).is_empty());
+    fn a_closed_wall_separates_and_a_gap_of_exactly_the_bodys_size_does_not() {
+        let wall_with = |gap: f64| space(&[[50.0, 0.0, 2.0, 100.0 - gap]]);
+        let (ship, small) = (body(10.0, 50.0, 1.0), body(20.0, 20.0, 0.7));
+        let beyond = Aabb::around(DVec2::new(80.0, 20.0), DVec2::ONE);
+        assert!(!wall_with(0.0).gets_to(ship, &beyond) && wall_with(2.0).gets_to(ship, &beyond));
+        assert!(space(&[]).gets_to(ship, &beyond));
+        assert!(!wall_with(1.5).gets_to(ship, &beyond) && wall_with(1.5).gets_to(small, &beyond));
+        let parts = |gap: f64, half: f64| [10.0, 80.0].map(|x| wall_with(gap).part(body(x, 20.0, half)));
+        let [left, right] = parts(1.5, 0.8);
+        assert!(left.is_some() && right.is_some() && left != right);
+        let [left, right] = parts(1.5, 0.7);
+        assert!(left.is_some() && left == right);
     }
 }

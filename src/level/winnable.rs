@@ -2,22 +2,24 @@
 //! is too heavy, and movers are anywhere.
 
 use super::problem::{Problem, quoted};
-use super::reach::{CentredBox, FreeSpace, grown, shared};
-use super::types::{BURN_RATE, LevelLink, Objective, ObjectiveKind, Presser, SHIP_HALF, ShipStart, Switch};
+use super::reach::{CentredBox, FreeSpace, grown};
+use super::types::{BURN_RATE, Objective, ObjectiveKind, Presser, SHIP_HALF, ShipStart, Switch};
 use super::world_def::{ship_body, sweep_touches};
-use super::{draft::Draft, placement::BoxTree, schema::typed::FromRow};
-use crate::physics::{Aabb, BodyId, DVec2, LinkEnd, LinkLaw, Material, Spring};
+use super::{draft::Draft, schema::typed::FromRow};
+use crate::physics::{Aabb, DVec2};
 use crate::words::tr;
 
 /// A gap of less than this, m, is touched: as in the rules.
 const TOUCH: f64 = 1e-9;
+/// The most objectives for keys that are compared with each other.
+const MOST_PADS: usize = 1000;
 
 pub(super) fn check(level: &Checked) -> Vec<Problem> {
     let mut problems = starts(level);
     problems.extend(level.draft.objectives.iter().filter_map(|pad| unreachable(level, pad)));
     if problems.is_empty() {
         problems.extend(apart(level.draft));
-        problems.extend(too_few_keys(level));
+        problems.extend(too_few_keys(level.draft));
     }
     problems
 }
@@ -30,23 +32,14 @@ pub(super) struct TouchGoal {
     colour: Option<[u8; 3]>,
 }
 
-impl From<&Objective> for TouchGoal {
-    fn from(pad: &Objective) -> Self {
+impl TouchGoal {
+    pub fn of_pad(pad: &Objective) -> Self {
         let by = if pad.kind == ObjectiveKind::Player { Presser::Ship } else { Presser::Key };
         Self { bounds: pad.bounds, by, colour: pad.colour }
     }
-}
 
-impl From<&Switch> for TouchGoal {
-    fn from(switch: &Switch) -> Self {
+    pub fn of_switch(switch: &Switch) -> Self {
         Self { bounds: switch.bounds, by: switch.by, colour: None }
-    }
-}
-
-impl TouchGoal {
-    /// The ship, where it counts, and the objects that do.
-    pub fn bodies(&self, level: &Checked) -> impl Iterator<Item = CentredBox> {
-        self.takes_ship().then(|| level.ship_box()).into_iter().chain(self.objects(level.draft))
     }
 
     fn takes_ship(&self) -> bool {
@@ -78,22 +71,21 @@ fn starts(level: &Checked) -> Vec<Problem> {
     let mut problems: Vec<Problem> = deadly
         .map(|deadly| deadly.problem("x", tr("a death box that touches the ship at its start"), tr("a start off red")))
         .collect();
-    let met = |objective: &Objective| {
-        let touches = |(centre, half)| Aabb::around(centre, half).touches(&objective.bounds, TOUCH);
-        objective.hold == 0.0 && TouchGoal::from(objective).bodies(level).any(touches)
+    let met = |objective: &FromRow<Objective>| {
+        let goal = TouchGoal::of_pad(&objective.item);
+        let ship = goal.takes_ship().then(|| level.ship_box());
+        let mut bodies = ship.into_iter().chain(goal.objects(draft));
+        objective.item.hold == 0.0 && bodies.any(|(centre, half)| Aabb::around(centre, half).touches(&goal.bounds, TOUCH))
     };
-    if let Some(first) = draft.objectives.first()
-        && draft.objectives.iter().all(|objective| met(&objective.item))
-    {
-        problems.push(first.problem("x", tr("objectives that are all met at the start"), tr("something to do")));
-    }
+    let first = draft.objectives.first().filter(|_| draft.objectives.iter().all(met));
+    problems.extend(first.map(|first| first.problem("x", tr("objectives that are all met at the start"), tr("something to do"))));
     problems
 }
 
 /// An objective to which no body gets that fits.
 fn unreachable(level: &Checked, pad: &FromRow<Objective>) -> Option<Problem> {
-    let goal = TouchGoal::from(&pad.item);
-    if goal.bodies(level).next().is_none() {
+    let goal = TouchGoal::of_pad(&pad.item);
+    if !goal.takes_ship() && goal.objects(level.draft).next().is_none() {
         // `draft` reports a level without any key.
         let colour = quoted(&pad.item.colour?.map(|channel| channel.to_string()).join(","));
         let found = tr!("{colour}, the colour of no key object", colour);
@@ -107,46 +99,36 @@ fn unreachable(level: &Checked, pad: &FromRow<Objective>) -> Option<Problem> {
     barred.then(|| pad.problem("x", found, tr("a route to it, in the level and out of solids")))
 }
 
+/// The objectives of a kind that have to be met at once.
+fn at_once(draft: &Draft, kind: ObjectiveKind) -> impl Iterator<Item = &FromRow<Objective>> {
+    draft.objectives.iter().filter(move |objective| objective.item.kind == kind && objective.item.order.is_none())
+}
+
 /// Objectives for the ship that lie too far apart to be touched at once.
 fn apart(draft: &Draft) -> Option<Problem> {
-    let at_once = |objective: &&FromRow<Objective>| objective.item.kind == ObjectiveKind::Player && objective.item.order.is_none();
-    let mut pads = draft.objectives.iter().filter(at_once);
-    let mut room = grown(&pads.next()?.item.bounds, SHIP_HALF);
-    for pad in pads {
-        room = shared(&room, &grown(&pad.item.bounds, SHIP_HALF));
-        if (room.max - room.min).min_element() < -TOUCH {
-            let found = tr("a second objective for the ship, too far from the others to touch all at once");
-            return Some(pad.problem("x", found, tr("objectives side by side, or a number in the column order for each")));
-        }
-    }
-    None
+    let (mut min, mut max) = (DVec2::NEG_INFINITY, DVec2::INFINITY);
+    let far = at_once(draft, ObjectiveKind::Player).find(|pad| {
+        let room = grown(&pad.item.bounds, SHIP_HALF);
+        (min, max) = (min.max(room.min), max.min(room.max));
+        (max - min).min_element() < -TOUCH
+    })?;
+    let found = tr("a second objective for the ship, too far from the others to touch all at once");
+    Some(far.problem("x", found, tr("objectives side by side, or a number in the column order for each")))
 }
 
 /// More objectives for keys than keys, none of which can touch two at once.
-fn too_few_keys(level: &Checked) -> Option<Problem> {
-    let draft = level.draft;
-    let at_once = |objective: &&FromRow<Objective>| objective.item.kind == ObjectiveKind::Physics && objective.item.order.is_none();
-    let wanted: Vec<&FromRow<Objective>> = draft.objectives.iter().filter(at_once).collect();
+fn too_few_keys(draft: &Draft) -> Option<Problem> {
+    let wanted: Vec<&FromRow<Objective>> = at_once(draft, ObjectiveKind::Physics).collect();
     let keys: Vec<DVec2> = draft.objects.iter().filter(|object| object.item.key.is_some()).map(|key| key.item.size * 0.5).collect();
-    let mut halves = keys.clone();
-    halves.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    halves.dedup();
-    let two_at_once = |half: &DVec2| {
-        let rooms: Vec<Aabb> = wanted.iter().map(|objective| grown(&objective.item.bounds, *half)).collect();
-        let tree = BoxTree::of(rooms.iter().copied());
-        let alone = |(i, room): (usize, &Aabb)| tree.search(room, TOUCH, |other| other as usize == i);
-        // A search that would take too long counts as possible.
-        !level.space.work.spend(rooms.len()) || !rooms.iter().enumerate().all(alone)
-    };
-    if wanted.len() <= keys.len() || halves.iter().any(two_at_once) {
+    let largest = keys.iter().fold(DVec2::ZERO, |half, key| half.max(*key));
+    let rooms: Vec<Aabb> = wanted.iter().take(MOST_PADS).map(|pad| grown(&pad.item.bounds, largest)).collect();
+    let two_at_once = || rooms.iter().enumerate().any(|(i, room)| rooms[..i].iter().any(|other| room.touches(other, TOUCH)));
+    if wanted.len() <= keys.len() || wanted.len() > MOST_PADS || two_at_once() {
         return None;
     }
     let found = tr!("objective {number} for key objects, with {count} of these", number = keys.len() + 1, count = keys.len());
     Some(wanted[keys.len()].problem("kind", found, tr("a key object for each, or a number in the column order")))
 }
-
-/// From this restitution on a bounce lasts too long for a bound.
-pub(super) const LIVELY: f64 = 0.9;
 
 /// A level of which nothing is refused.
 pub(super) struct Checked<'a> {
@@ -170,86 +152,24 @@ impl Checked<'_> {
         streams.chain(fields)
     }
 
-    pub fn masses(&self) -> impl Iterator<Item = f64> {
-        [self.ship.item.mass].into_iter().chain(self.draft.objects.iter().map(|object| object.item.mass))
+    pub fn bounces(&self) -> bool {
+        let Draft { world, doors, objects, .. } = self.draft;
+        let ship = &self.ship.item;
+        let solids = world.iter().chain(doors).map(|solid| solid.item.material.restitution);
+        let bodies = objects.iter().flat_map(|object| [object.item.restitution, object.item.material.restitution]);
+        solids.chain(bodies).chain([ship.restitution, ship.material.restitution]).any(|restitution| restitution > 0.0)
     }
 
-    pub fn centre(&self, body: BodyId) -> DVec2 {
-        body.index().checked_sub(1).map_or(self.ship.item.position, |object| self.draft.objects[object].item.position)
-    }
-
-    fn materials(&self) -> impl Iterator<Item = &Material> {
-        let solids = self.draft.world.iter().chain(&self.draft.doors).map(|solid| &solid.item.material);
-        let bodies = self.draft.objects.iter().map(|object| &object.item.material);
-        solids.chain(bodies).chain([&self.ship.item.material, &Material::ASPHALT])
-    }
-
-    /// The largest of the level.
-    pub fn restitution(&self) -> f64 {
-        let own = self.draft.objects.iter().map(|object| object.item.restitution).chain([self.ship.item.restitution]);
-        own.chain(self.materials().map(|material| material.restitution)).fold(0.0, f64::max)
-    }
-
-    /// The smallest coefficient of kinetic friction of the level.
-    pub fn friction(&self) -> f64 {
-        self.draft.settings.row.friction * self.materials().map(|material| material.kinetic_friction).fold(f64::INFINITY, f64::min)
-    }
-
-    /// The energy, J, that all bodies have at most at any time, but for an object that stays where it is: theirs at the start, and the work
-    /// of the engine. With d√E/dt ≤ thrust/√(2·mass) that work has a bound in vacuum; in air, F·v − k·v³ has a maximum.
-    /// `None` where something else does work.
-    pub fn energy(&self, but: Option<usize>) -> Option<f64> {
-        let Self { draft, ship: FromRow { item: ship, .. }, size, .. } = self;
-        let settings = &draft.settings.row;
-        let moved = !draft.movers.is_empty() || draft.world.iter().any(|block| block.item.belt != 0.0) || draft.has_currents();
-        if moved || settings.gravity_x != 0.0 || settings.gravity <= 0.0 {
-            return None;
-        }
-        let stored = draft.links.iter().map(|link| self.stored(&link.item.bind(&draft.objects)?)).sum::<Option<f64>>()?;
-        let of = |mass: f64, at: DVec2, v: DVec2| mass * (0.5 * v.length_squared() + settings.gravity * (size.y - at.y).max(0.0));
-        let objects = draft.objects.iter().enumerate().filter(|(index, _)| Some(*index) != but);
-        let start = stored
-            + of(ship.mass, ship.position, ship.velocity)
-            + objects.map(|(_, body)| of(body.item.mass, body.item.position, body.item.velocity)).sum::<f64>();
-        let burns = (ship.fuel + draft.pods.iter().map(|pod| pod.item.fuel).sum::<f64>()) / BURN_RATE;
-        let vacuum = (start.sqrt() + ship.thrust * burns / (2.0 * ship.mass).sqrt()).powi(2);
-        // The least drag of the ship at 1 m/s, N.
-        let air = if ship.feels_air { settings.air_density } else { 0.0 };
-        let drag = 0.5 * air * ship.drag * 2.0 * SHIP_HALF.min_element();
-        let power = 2.0 / 3.0 * ship.thrust * (ship.thrust / (3.0 * drag)).sqrt();
-        Some(if drag > 0.0 { vacuum.min(start + power * burns) } else { vacuum })
-    }
-
-    /// The energy of a link at the start, J; `None` where it may do more work than that.
-    fn stored(&self, LevelLink { def, name }: &LevelLink) -> Option<f64> {
-        let works = self.draft.switches.iter().flat_map(|switch| &switch.item.works);
-        let worked = name.iter().flat_map(|name| name.split('&')).any(|name| works.clone().any(|work| work.name == name));
-        let (LinkLaw::Spring(Spring { length, stiffness, .. }) | LinkLaw::Rope(Spring { length, stiffness, .. })) = def.law else {
-            return None;
-        };
-        let to = match def.to {
-            LinkEnd::Place(place) => place,
-            LinkEnd::Body(body) => self.centre(body),
-        };
-        let over = if def.as_found { 0.0 } else { self.centre(def.body).distance(to) - length };
-        (def.rate == 0.0 && !def.hook && !worked).then_some(0.5 * stiffness * over * over)
-    }
-
-    /// N·s, friction with it. Of a ship alone by its speeds, of several bodies by all their energy: Σ m·v ≤ √(2·E·Σm).
-    pub fn blow(&self) -> Option<f64> {
-        let restitution = self.restitution();
-        let fastest = |side: DVec2| Some(self.run(side)?.max(self.run(-side)?));
-        let alone = || Some((2.0 * self.ship.item.mass * (fastest(DVec2::X)? + fastest(DVec2::Y)?)).sqrt());
-        let energy = || Some((2.0 * self.energy(None)? * self.masses().sum::<f64>()).sqrt());
-        let least = alone().into_iter().chain(energy()).min_by(f64::total_cmp)?;
-        (restitution < LIVELY).then_some((1.0 + restitution) / (1.0 - restitution) * least)
+    /// The longest time that the engine burns, s.
+    pub fn burns(&self) -> f64 {
+        (self.ship.item.fuel + self.draft.pods.iter().map(|pod| pod.item.fuel).sum::<f64>()) / BURN_RATE
     }
 
     /// The kinetic energy, J, that a ship alone has at most along one axis to one side: such a run begins at rest or at the start, and is as
     /// long as the level. `None` where it may be thrown.
     pub fn run(&self, side: DVec2) -> Option<f64> {
         let Self { draft, ship: FromRow { item: ship, .. }, size, .. } = self;
-        let alone = draft.objects.is_empty() && !draft.is_driven() && draft.fluids.is_empty() && self.restitution() == 0.0;
+        let alone = draft.objects.is_empty() && !draft.is_driven() && draft.fluids.is_empty() && !self.bounces();
         let zones: f64 = self.zones().map(|(_, force, _)| force.dot(side).max(0.0)).sum();
         let weight = ship.mass * DVec2::new(draft.settings.row.gravity_x, draft.settings.row.gravity).dot(side).max(0.0);
         let start = 0.5 * ship.mass * ship.velocity.dot(side).max(0.0).powi(2);
