@@ -2,7 +2,7 @@
 //! friction stops a slide over tiles nothing is left of it.
 
 use super::*;
-use resultant::physics::{Body, BodyId, Obstacle, Source};
+use resultant::physics::{Body, BodyId, Force, Obstacle, Source};
 
 const PULL: f64 = 15.0;
 
@@ -139,15 +139,16 @@ fn unlisted_of_slides(random: &mut Random, hz: f64) -> Option<String> {
     let surfaces = walls.map(|wall| SurfaceDef::fixed(wall, rough(0.4, 0.3))).to_vec();
     let mut world = World::new(WorldDef { gravity: PULL, ..without_air(surfaces, crates) }).unwrap();
     let ids = [0, 1, 2, 3, 4, 5].map(BodyId);
-    let pushes = |world: &World, id: BodyId| -> DVec2 {
-        world.forces(id).forces().iter().filter(|force| force.source != Source::Gravity).map(|force| force.vector).sum()
+    let pushes = |world: &World, id: BodyId| -> Vec<Force> {
+        world.forces(id).forces().iter().filter(|force| force.source != Source::Gravity).copied().collect()
     };
     for tick in 1..=(2.0 * hz) as u32 {
         let before = ids.map(|id| (world.body(id).velocity, pushes(&world, id)));
         world.step(1.0 / hz);
         for (id, (speed, push)) in ids.into_iter().zip(before) {
             let hit = world.impulses().iter().any(|hit| hit.impact && hit.on(id).is_some());
-            let left = unlisted(&world, id, speed + push / (hz * world.body(id).mass), 1.0 / hz);
+            let total: DVec2 = push.iter().map(|force| force.vector).sum();
+            let left = unlisted(&world, id, speed + total / (hz * world.body(id).mass), 1.0 / hz);
             if !hit && push == pushes(&world, id) && left > 1e-9 * world.body(id).mass {
                 return Some(format!("{id:?} at {hz} Hz, tick {tick}: {left} N·s"));
             }
