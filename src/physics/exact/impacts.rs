@@ -88,7 +88,7 @@ impl Events {
             }
             let mut lifted = false;
             for contact in &mut touching {
-                self.note_plastic(contact);
+                self.note_plastic(scene, contact);
                 if may_cling && !contact.clings && self.clings(scene, contact) {
                     contact.clings = true;
                     lifted = true;
@@ -223,10 +223,10 @@ impl Events {
         (speed > 0.0 && reach - apart.abs() <= 2.0 * SLOP && alike).then_some(closing)
     }
 
-    fn note_plastic(&mut self, contact: &mut Contact) {
+    fn note_plastic(&mut self, scene: &Scene, contact: &mut Contact) {
         // A surface pulls nothing: what keeps a body that clings to it is taken off what it has pushed in this tick.
         if contact.normal < 0.0 && !self.is_body(contact.ends().1) {
-            self.take_off(contact);
+            self.take_off(scene, contact);
         }
         if contact.normal == 0.0 && contact.friction == 0.0 {
             return;
@@ -236,8 +236,8 @@ impl Events {
         self.note(contact, on_axis(contact.axis, contact.normal, contact.friction), Some(closing));
     }
 
-    /// Takes the pull of a surface off its last pushes in this tick on the same body, and off what their lasting contact has passed on.
-    fn take_off(&mut self, contact: &mut Contact) {
+    /// Takes the pull of a surface off its last pushes in this tick on the same body, and off what their lasting contact passes on in it.
+    fn take_off(&mut self, scene: &Scene, contact: &mut Contact) {
         let ((body, surface), axis) = (contact.ends(), contact.axis);
         let sign = if body == contact.lo { -1.0 } else { 1.0 };
         let ends = (BodyId(self.items[body as usize].id), Obstacle::Surface(self.items[surface as usize].id));
@@ -248,9 +248,9 @@ impl Events {
             *push -= sign * taken;
             contact.normal += taken;
         }
-        let lasted = self.now - self.items[body as usize].since;
+        let lasts = scene.tick - self.items[body as usize].since;
         if let Some(known) = self.contacts.iter_mut().find(|known| known.ends() == contact.ends() && known.axis == axis) {
-            let taken = (known.passed[0] + known.normal * lasted).min(-contact.normal).max(0.0);
+            let taken = (known.passed[0] + known.normal * lasts).min(-contact.normal).max(0.0);
             known.passed[0] -= taken;
             contact.normal += taken;
         }
