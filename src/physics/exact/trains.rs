@@ -62,7 +62,10 @@ impl Events {
                 let ([[_, way], [_, slid]], carried) = (bounce.at(half, false), begun[0].0 * others + begun[1].0 * mine);
                 pulls = [0, 1].map(|k| forces(k, half, carried, way, slid).0);
                 let change = (pulls[0] - pulls[1]) - (begun[0].0 - begun[1].0);
-                steady = change.length() <= DAMPED_REACH * (pulls[0] - pulls[1]).length();
+                // Of what carries both, drag may be fast where it is not for their bounces.
+                let drift = (pulls[0] * others + pulls[1] * mine - carried) * (2.0 * half);
+                steady = change.length() <= DAMPED_REACH * (pulls[0] - pulls[1]).length()
+                    && drift.length() <= DAMPED_REACH * (speed + together.length());
                 bounce = bounces(pulls[0] - pulls[1]);
             }
             let (_, stops, holds) = bounce.brakes();
