@@ -54,10 +54,15 @@ impl Events {
                 self.trial.push(self.contacts.remove(index));
                 self.items[contact.lo as usize].known = false;
                 self.items[contact.hi as usize].known = false;
-            } else if slides != 0.0 {
+            }
+            let rate = |item: u32| self.items[item as usize].solved[1 - contact.axis];
+            // What friction drives back has stopped just now; what has given way just now is driven on.
+            let stops = slides == 0.0 && contact.slides * (rate(contact.hi) - rate(contact.lo)) < 0.0;
+            let turns = stops || slides != 0.0 && slides != contact.slides;
+            if turns && !parts {
                 self.contacts[index].slides = slides;
             }
-            if parts || slides != 0.0 && slides != contact.slides {
+            if parts || turns {
                 // What else they touch carries something else now.
                 self.concern(contact.lo);
                 self.concern(contact.hi);

@@ -115,6 +115,38 @@ fn unlisted_of_three(random: &mut Random, hz: f64) -> Option<(u32, f64)> {
     None
 }
 
+/// What stops just as a tick ends stays where it is: a crate alone, and one with another on it.
+#[test]
+fn a_slide_that_ends_with_a_tick_is_not_driven_back() {
+    for (hz, friction, ticks) in [64.0, 60.0, 120.0]
+        .into_iter()
+        .flat_map(|hz| [0.5, 0.65].map(|f| (hz, f)))
+        .flat_map(|(hz, f)| (1..60).map(move |n| (hz, f, n)))
+    {
+        for count in [1, 2] {
+            let speed = v(-friction * 10.0 * f64::from(ticks) / hz, 0.0);
+            let mass = |k: i32| if k == 0 { 66.0 } else { 61.0 };
+            let crates = (0..count).map(|k| BodyDef {
+                position: v(0.4 * f64::from(k), -0.5 - f64::from(k)),
+                velocity: speed,
+                mass: mass(k),
+                ..BodyDef::default()
+            });
+            let floor = SurfaceDef::fixed(area(-300.0, 0.0, 300.0, 1.0), rough(friction, friction));
+            let mut world = World::new(WorldDef { gravity: 10.0, ..without_air(vec![floor], crates.collect()) }).unwrap();
+            for _ in 0..ticks + 3 {
+                world.step(1.0 / hz);
+                assert!(
+                    (0..count as u32).all(|i| world.speed(i as usize).x <= 0.0),
+                    "{count} at {hz} Hz, {friction}, {ticks}: {}",
+                    world.speed(0)
+                );
+            }
+            assert!(world.speed(0) == DVec2::ZERO, "{count} at {hz} Hz, {friction}, {ticks}: {}", world.speed(0));
+        }
+    }
+}
+
 /// Crates that slide over each other, hit each other and a wall on either side: what has changed the momentum of one on which the same forces act
 /// before and after a tick, and that nothing has hit, is listed. Returns the first that is not, if one is.
 fn unlisted_of_slides(random: &mut Random, hz: f64) -> Option<String> {
