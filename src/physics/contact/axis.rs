@@ -80,6 +80,7 @@ impl Joined {
             let network = &mut self.networks[axis];
             network.solve();
             network.nodes.iter_mut().for_each(|node| node.acceleration += frame);
+            network.answered &= frame == 0.0;
             self.squeezed.truncate(known);
             self.squeezed.extend(network.squeezed.iter().map(|&node| (self.body_of[node as usize], axis)));
             if !self.read(axis, contacts, question) {

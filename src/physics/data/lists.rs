@@ -48,10 +48,12 @@ impl Incidence {
         }
     }
 
+    #[inline(always)]
     pub fn slots(&self, item: usize) -> Range<usize> {
         self.first[item] as usize..self.first[item + 1] as usize
     }
 
+    #[inline(always)]
     pub fn of(&self, item: usize) -> &[u32] {
         &self.list[self.slots(item)]
     }

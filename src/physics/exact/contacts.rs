@@ -44,7 +44,7 @@ impl Events {
 
     fn may_touch(&self, bounds: &Aabb, item: usize) -> bool {
         let track = &self.tracks[item];
-        bounds.touches(&self.lanes[item], 0.0)
+        bounds.meets(&self.lanes[item])
             && bounds.touches(&track.swept, SLOP)
             && (!track.is_exact() || bounds.touches(&track.bounds_at(self.now), SLOP))
     }

@@ -56,8 +56,8 @@ impl Events {
         let whole = mine.since == self.now && left == mine.until - self.now;
         let lane = if whole { mine.swept } else { from_here.swept(mine.half, left) };
         let lane = Aabb::new(lane.min - reach, lane.max + reach);
-        for j in 0..self.tracks.len() {
-            if j != i && self.lanes[j].touches(&lane, 0.0) {
+        for (j, other) in self.lanes.iter().enumerate() {
+            if other.meets(&lane) && j != i {
                 self.next_meeting(i, j, &from_here, next);
             }
         }

@@ -64,6 +64,13 @@ impl Columns {
         of.size().max_element() * self.per_metre >= MOST_COLUMNS
     }
 
+    /// Whether the entries are the same where the box of a place is another one.
+    pub fn serve(&self, (k, depth): (usize, f64), before: &Aabb, now: &Aabb) -> bool {
+        let cells = |of: &Aabb| [of.min.x, of.max.x].map(|x| cell(x, self.per_metre));
+        let up = depth - if self.down > 0.0 { now.min.y } else { -now.max.y };
+        depth == self.begins[k].1 && cells(before) == cells(now) && !self.is_wide(before) && !self.is_wide(now) && up <= self.reach
+    }
+
     /// Enters the box at place `k`, and adds the places below `k` whose boxes meet it, each once.
     #[inline(always)]
     pub fn pass(&mut self, k: usize, boxes: &[Aabb], into: &mut Vec<u32>) {

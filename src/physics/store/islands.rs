@@ -177,7 +177,8 @@ impl Islands {
     }
 
     pub fn find(&mut self, motions: &Motions, broad_phase: &BroadPhase, moving: &[u32]) {
-        if self.same_order && moving.is_empty() && self.sweep_the_same(motions) {
+        if self.same_order && moving.is_empty() && self.swept.len() == self.order.len() && self.finds_the_same(motions, broad_phase)
+        {
             return;
         }
         self.is_known = true;
@@ -209,9 +210,21 @@ impl Islands {
         meets
     }
 
-    fn sweep_the_same(&self, motions: &Motions) -> bool {
-        self.swept.len() == self.order.len()
-            && self.order.iter().zip(&self.swept).all(|(i, swept)| motions.swept[*i as usize] == *swept)
+    /// Whether no box has changed since islands were found, or one that meets the same all the same.
+    fn finds_the_same(&mut self, motions: &Motions, broad_phase: &BroadPhase) -> bool {
+        let Self { order, swept, is_listed, .. } = &*self;
+        let (n, of) = (motions.len() as u32, |k: usize| motions.swept[order[k] as usize]);
+        let mut changed = (0..order.len()).filter(|k| swept[*k] != of(*k));
+        let Some(k) = changed.next() else { return true };
+        let (i, before, now) = (order[k], swept[k], of(k));
+        let near = broad_phase.near(i as usize).iter().map(|surface| n + surface);
+        let near = near.filter(|j| is_listed[*j as usize] && now.meets(&motions.swept[*j as usize]));
+        let same = changed.next().is_none()
+            && self.columns.serve((k, self.heights[k].0), &before, &now)
+            && swept.iter().all(|of| before.meets(of) == now.meets(of))
+            && near.eq(self.whole().near(i).iter().copied().filter(|j| *j >= n));
+        self.swept[k] = if same { now } else { before };
+        same
     }
 
     fn put_in_order(&mut self, bodies: &[Body], down: f64) -> usize {

@@ -4,20 +4,16 @@ use crate::physics::contact::network::{Block, Carries, GROUND, Network, NetworkN
 
 impl Network {
     /// The acceleration of all ground, if it moves alike; else 0.
-    pub(super) fn common_frame(&self) -> f64 {
+    pub(super) fn common_frame(&mut self) -> f64 {
         let mut grounds = self.links.iter().filter(|link| link.lo == GROUND || link.hi == GROUND).map(|link| link.ground);
         let first = grounds.next().unwrap_or(0.0);
-        if grounds.all(|ground| ground == first) { first } else { 0.0 }
+        self.grounds_move_alike = grounds.all(|ground| ground == first);
+        if self.grounds_move_alike { first } else { 0.0 }
     }
 
     /// A node without links stays outside: its small force could be lost to rounding in that frame.
     pub(super) fn enter_frame(&mut self, frame: f64) {
-        self.linked.clear();
         if frame != 0.0 {
-            self.linked.resize(self.nodes.len(), false);
-            for end in self.links.iter().flat_map(|link| [link.lo, link.hi]).filter(|end| *end != GROUND) {
-                self.linked[end as usize] = true;
-            }
             self.linked_nodes().for_each(|node| node.force -= node.mass * frame);
             self.links.iter_mut().for_each(|link| link.ground = 0.0);
         }
@@ -32,18 +28,19 @@ impl Network {
     }
 
     fn linked_nodes(&mut self) -> impl Iterator<Item = &mut NetworkNode> {
-        self.nodes.iter_mut().zip(&self.linked).filter(|(_, linked)| **linked).map(|(node, _)| node)
+        let incident = &self.incident;
+        self.nodes.iter_mut().enumerate().filter(|(i, _)| !incident.of(*i).is_empty()).map(|(_, node)| node)
     }
 
     /// Sets the links aside (`cut`) that lead to other ground than `ground`. Returns whether there are any.
     pub(super) fn part_with_other_grounds(&mut self, block: Block, ground: f64) -> bool {
         let mut any = false;
         for &i in &self.order[block.begin..block.end] {
-            for slot in self.links_of(i) {
-                let link = &mut self.links[self.incident.list[slot] as usize];
+            for &index in self.incident.of(i as usize) {
+                let link = &mut self.links[index as usize];
                 if !link.cut && link.other(i) == GROUND && link.ground != ground {
                     (link.cut, any) = (true, true);
-                    self.aside.push(self.incident.list[slot]);
+                    self.aside.push(index);
                 }
             }
         }
@@ -56,8 +53,8 @@ impl Network {
         for &i in &self.order[block.begin..block.end] {
             all += self.notes[i as usize].excess.abs();
             mass += self.nodes[i as usize].mass;
-            for slot in self.links_of(i) {
-                if let Carries::UpTo(limit) = self.links[self.incident.list[slot] as usize].carries {
+            for link in self.links_of(i) {
+                if let Carries::UpTo(limit) = link.carries {
                     all += if limit.is_finite() { limit } else { 0.0 };
                 }
             }

@@ -32,8 +32,8 @@ pub(crate) struct NetworkEdge {
 }
 
 impl NetworkEdge {
-    fn room(&self, from: u32) -> f64 {
-        match (self.carries, self.lo == from) {
+    fn room(&self, onwards: bool) -> f64 {
+        match (self.carries, onwards) {
             (Carries::Push, true) => f64::INFINITY,
             (Carries::Push, false) => self.flow,
             (Carries::UpTo(limit), true) => limit - self.flow,
@@ -76,18 +76,20 @@ pub(crate) struct Network {
     /// What its links join, whatever they carry: nodes, block by block, and where each begins and ends; the ends of all links, to know it again.
     joined: (Vec<u32>, Vec<Range<u32>>),
     ends: Vec<[u32; 2]>,
-    /// Its last question with these links, and the answer.
-    asked: (Vec<NetworkNode>, Vec<NetworkEdge>),
+    /// Its last question with these links, the force on each node, N; the answer, and whether it stands.
+    asked: Vec<f64>,
     answer: (Vec<NetworkNode>, Vec<NetworkEdge>),
+    pub answered: bool,
     order: Vec<u32>,
     blocks: Vec<Range<u32>>,
     /// What is noted about each node; the last one is the ground.
     notes: Vec<Note>,
     queue: Vec<u32>,
+    starts: Vec<u32>,
+    lacks: Vec<u32>,
     /// Where a search arrived, and by which link.
     goals: Vec<(u32, u32)>,
-    /// Whether a node has a link, where that is asked.
-    linked: Vec<bool>,
+    grounds_move_alike: bool,
     /// Links of the present block to ground that moves otherwise than that it is held against.
     aside: Vec<u32>,
 }
@@ -128,6 +130,8 @@ enum Side {
 
 impl Network {
     pub fn clear(&mut self) {
+        std::mem::swap(&mut self.nodes, &mut self.answer.0);
+        std::mem::swap(&mut self.links, &mut self.answer.1);
         self.nodes.clear();
         self.links.clear();
         self.squeezed.clear();
@@ -139,14 +143,15 @@ impl Network {
 
     pub fn solve(&mut self) {
         if self.links.is_empty() {
+            self.answered = false;
             return self.nodes.iter_mut().for_each(|node| node.acceleration = node.force / node.mass);
         }
         let frame = self.common_frame();
-        self.enter_frame(frame);
         self.find_blocks();
+        self.enter_frame(frame);
         self.repeat_answers(frame);
-        self.asked.0.clone_from(&self.nodes);
-        self.asked.1.clone_from(&self.links);
+        self.asked.clear();
+        self.asked.extend(self.nodes.iter().map(|node| node.force));
         let mut next = 0;
         while next < self.blocks.len() {
             if !self.blocks[next].is_empty() {
@@ -154,11 +159,7 @@ impl Network {
             }
             next += 1;
         }
-        self.answer.0.clone_from(&self.nodes);
-        self.answer.1.clone_from(&self.links);
-        if frame != 0.0 || !self.squeezed.is_empty() {
-            self.answer.0.clear();
-        }
+        self.answered = frame == 0.0 && self.squeezed.is_empty();
         self.leave_frame(frame);
     }
 
@@ -170,7 +171,7 @@ impl Network {
             let mut block = Block { begin: start as usize, end: end as usize, ground: Some(0.0), largest: 0.0 };
             for &i in &self.order[block.begin..block.end] {
                 let force = self.nodes[i as usize].force;
-                let given: f64 = self.links_of(i).map(|slot| self.links[self.incident.list[slot] as usize].gives(i)).sum();
+                let given: f64 = self.links_of(i).map(|link| link.gives(i)).sum();
                 block.largest = block.largest.max(force.abs());
                 self.notes[i as usize].excess = force + given;
             }
@@ -183,8 +184,8 @@ impl Network {
         if end == GROUND { self.nodes.len() } else { end as usize }
     }
 
-    fn links_of(&self, node: u32) -> Range<usize> {
-        self.incident.slots(self.slot(node))
+    fn links_of(&self, node: u32) -> impl Iterator<Item = &NetworkEdge> {
+        self.incident.of(node as usize).iter().map(|index| &self.links[*index as usize])
     }
 
     fn find_blocks(&mut self) {
@@ -194,7 +195,7 @@ impl Network {
         if self.joined.0.len() != n || !self.ends.iter().copied().eq(ends.clone()) {
             self.ends.clear();
             self.ends.extend(ends);
-            self.answer.0.clear();
+            self.answered = false;
             // The number of the ground is the largest.
             self.incident.index(n + 1, self.ends.iter().map(|ends| ends.map(|end| end.min(n as u32))));
             self.find_components();
@@ -209,18 +210,15 @@ impl Network {
     /// Blocks of which nothing is asked that was not asked last have the same answer, and are none any more.
     fn repeat_answers(&mut self, frame: f64) {
         let Self { nodes, links, asked, answer, order, blocks, incident, .. } = self;
-        if frame != 0.0 || answer.0.len() != nodes.len() || answer.1.len() != links.len() {
+        if frame != 0.0 || !self.answered {
             return;
         }
         for block in blocks.iter_mut() {
             let of = &order[block.start as usize..block.end as usize];
             let links_of = |i: u32| incident.of(i as usize).iter().map(|index| *index as usize);
-            let same_node = |a: &NetworkNode, b: &NetworkNode| a.mass == b.mass && a.force.to_bits() == b.force.to_bits();
+            let same_node = |i: usize| nodes[i].mass == answer.0[i].mass && nodes[i].force.to_bits() == asked[i].to_bits();
             let same_link = |a: &NetworkEdge, b: &NetworkEdge| a.carries == b.carries && a.ground == b.ground;
-            let known = |&i: &u32| {
-                same_node(&nodes[i as usize], &asked.0[i as usize])
-                    && links_of(i).all(|index| same_link(&links[index], &asked.1[index]))
-            };
+            let known = |i: &u32| same_node(*i as usize) && links_of(*i).all(|index| same_link(&links[index], &answer.1[index]));
             if of.iter().all(known) {
                 for &i in of {
                     nodes[i as usize].acceleration = answer.0[i as usize].acceleration;
@@ -265,23 +263,23 @@ impl Network {
             mass += node.mass;
             force += node.force;
             block.largest = block.largest.max(node.force.abs());
-            let grounds = self.links_of(i).map(|slot| &self.links[self.incident.list[slot] as usize]);
-            let mut held = grounds.filter(|link| !link.cut && link.other(i) == GROUND).map(|link| link.ground);
-            block.ground = block.ground.or_else(|| held.next());
+            let held = || self.links_of(i).find(|link| !link.cut && link.other(i) == GROUND).map(|link| link.ground);
+            block.ground = block.ground.or_else(held);
         }
         let acceleration = block.ground.unwrap_or(force / mass);
         self.order[block.begin..block.end].iter().for_each(|i| self.nodes[*i as usize].acceleration = acceleration);
         if block.end - block.begin == 1 && block.ground.is_none() {
             return;
         }
-        let elsewhere = block.ground.is_some_and(|ground| self.part_with_other_grounds(block, ground));
-        self.reset_flows(block);
+        let elsewhere = !self.grounds_move_alike && block.ground.is_some_and(|ground| self.part_with_other_grounds(block, ground));
+        // Nothing flows in what has not been cut yet.
+        self.reset(block, index >= self.joined.1.len());
         for upwards in [true, false] {
             if !elsewhere && self.may_pass(block, upwards) {
                 if self.passes(block, upwards) {
                     return self.settle_light(block);
                 }
-                self.reset_flows(block);
+                self.reset(block, true);
             }
         }
         if elsewhere {
@@ -299,13 +297,13 @@ impl Network {
         let own = |node: &NetworkNode| node.force.abs().max(node.mass * node.acceleration.abs());
         let is_light = |node: &NetworkNode| own(node) < LIGHT * block.largest;
         self.queue.clear();
-        self.queue.extend(self.order[block.begin..block.end].iter().copied().filter(|i| is_light(&self.nodes[*i as usize])));
+        self.queue.extend(self.order[block.begin..block.end].iter().filter(|i| is_light(&self.nodes[**i as usize])));
         let nodes = &self.nodes;
         self.queue.sort_unstable_by(|a, b| nodes[*a as usize].mass.total_cmp(&nodes[*b as usize].mass).then(a.cmp(b)));
         for k in 0..self.queue.len() {
             let i = self.queue[k];
             let node = self.nodes[i as usize];
-            let links = || self.links_of(i).map(|slot| self.incident.list[slot]).filter(|link| !self.links[*link as usize].cut);
+            let links = || self.incident.of(i as usize).iter().copied().filter(|link| !self.links[*link as usize].cut);
             let gotten: f64 = links().map(|link| self.links[link as usize].gives(i)).sum();
             let left = node.force - node.mass * node.acceleration + gotten;
             if left.abs() <= own(&node) * FORCE_TOLERANCE {
@@ -336,15 +334,13 @@ impl Network {
         }
     }
 
-    fn reset_flows(&mut self, block: Block) {
+    fn reset(&mut self, block: Block, flows: bool) {
         for &i in &self.order[block.begin..block.end] {
             let node = self.nodes[i as usize];
             self.notes[i as usize].excess = node.force - node.mass * node.acceleration;
-            for slot in self.links_of(i) {
-                let link = &mut self.links[self.incident.list[slot] as usize];
-                if !link.cut {
-                    link.flow = 0.0;
-                }
+            for index in self.incident.of(i as usize).iter().filter(|_| flows) {
+                let link = &mut self.links[*index as usize];
+                link.flow = if link.cut { link.flow } else { 0.0 };
             }
         }
     }

@@ -20,7 +20,7 @@ impl Network {
         let tolerance = block.tolerance();
         self.order[block.begin..block.end].iter().all(|&i| {
             let load = if upwards { self.notes[i as usize].excess } else { -self.notes[i as usize].excess };
-            let mut links = self.links_of(i).map(|slot| &self.links[self.incident.list[slot] as usize]);
+            let mut links = self.links_of(i);
             let bears = |link: &NetworkEdge| link.other(i) != GROUND && link.hands_on(link.other(i), upwards);
             load.abs() <= tolerance || links.any(|link| if load > 0.0 { link.hands_on(i, upwards) } else { bears(link) })
         })
@@ -29,66 +29,82 @@ impl Network {
     /// Each body hands its excess on to what it presses against, in equal shares, once it has got all (Kahn's order). Returns whether none has to pull.
     pub(super) fn passes(&mut self, block: Block, upwards: bool) -> bool {
         let (tolerance, sign) = (block.tolerance(), if upwards { 1.0 } else { -1.0 });
-        let presses = |link: &NetworkEdge, i: u32| link.hands_on(i, upwards);
-        self.queue.clear();
-        for &i in &self.order[block.begin..block.end] {
-            let links = self.links_of(i).map(|slot| &self.links[self.incident.list[slot] as usize]);
-            let bears = |link: &&NetworkEdge| link.other(i) != GROUND && presses(link, link.other(i));
-            self.notes[i as usize].waits_for = links.filter(bears).count() as u32;
-            if self.notes[i as usize].waits_for == 0 {
-                self.queue.push(i);
+        let Self { incident, links, notes, queue, order, .. } = self;
+        queue.clear();
+        for &i in &order[block.begin..block.end] {
+            let bears = |link: &NetworkEdge| link.other(i) != GROUND && link.hands_on(link.other(i), upwards);
+            notes[i as usize].waits_for = incident.of(i as usize).iter().filter(|k| bears(&links[**k as usize])).count() as u32;
+            if notes[i as usize].waits_for == 0 {
+                queue.push(i);
             }
         }
         let mut next = 0;
-        while next < self.queue.len() {
-            let i = self.queue[next];
+        while next < queue.len() {
+            let i = queue[next];
             next += 1;
-            let (load, range) = (sign * self.notes[i as usize].excess, self.links_of(i));
-            let supports = range.clone().filter(|&slot| presses(&self.links[self.incident.list[slot] as usize], i)).count();
+            let (load, around) = (sign * notes[i as usize].excess, incident.of(i as usize));
+            let supports = around.iter().filter(|index| links[**index as usize].hands_on(i, upwards)).count();
             if load < -tolerance || supports == 0 && load > tolerance {
                 return false;
             }
             let share = load.max(0.0) / supports as f64;
-            for slot in range {
-                let link = &mut self.links[self.incident.list[slot] as usize];
-                if presses(link, i) {
+            for &index in around {
+                let link = &mut links[index as usize];
+                if link.hands_on(i, upwards) {
                     link.flow = share;
                     let other = link.other(i);
-                    if other != GROUND {
-                        self.notes[other as usize].excess += sign * share;
-                        self.notes[other as usize].waits_for -= 1;
-                        if self.notes[other as usize].waits_for == 0 {
-                            self.queue.push(other);
+                    if let Some(note) = notes.get_mut(other as usize) {
+                        note.excess += sign * share;
+                        note.waits_for -= 1;
+                        if note.waits_for == 0 {
+                            queue.push(other);
                         }
                     }
                 }
             }
         }
-        self.queue.len() == block.end - block.begin
+        queue.len() == block.end - block.begin
     }
 
     /// Routes excess to where it is missing or into the ground, then from the ground to where it is still missing.
     pub(super) fn route(&mut self, block: Block) {
+        let tolerance = block.tolerance();
+        [&mut self.queue, &mut self.starts, &mut self.lacks].into_iter().for_each(Vec::clear);
+        for &i in &self.order[block.begin..block.end] {
+            let note = &mut self.notes[i as usize];
+            note.side = Side::Same;
+            if note.excess > tolerance {
+                self.starts.push(i);
+            } else if note.excess < -tolerance {
+                self.lacks.push(i);
+            }
+        }
         while self.search(block, From::Excess) {
             self.augment_all(block);
         }
         // Nodes reached from unrouted excess are faster.
-        self.order[block.begin..block.end].iter().for_each(|i| self.notes[*i as usize].side = Side::Same);
-        self.mark_reached(block, Side::Faster);
+        self.mark_reached(Side::Faster);
         if block.ground.is_some() {
-            while self.search(block, From::Ground) {
+            self.starts.clear();
+            self.starts.push(GROUND);
+            while !self.lacks.is_empty() && self.search(block, From::Ground) {
                 self.augment_all(block);
             }
+            self.mark_reached(Side::Same);
         }
         // Nodes that could still pass force on to an unmet lack share that lack.
+        let Self { starts, lacks, notes, .. } = self;
+        starts.clear();
+        starts.extend(lacks.iter().filter(|i| notes[**i as usize].side == Side::Same));
         self.search(block, From::Lack);
-        self.mark_reached(block, Side::Slower);
+        self.mark_reached(Side::Slower);
     }
 
-    fn mark_reached(&mut self, block: Block, side: Side) {
-        for &i in &self.order[block.begin..block.end] {
-            let note = &mut self.notes[i as usize];
-            if note.came_by != NONE && note.side == Side::Same {
+    fn mark_reached(&mut self, side: Side) {
+        for i in self.queue.drain(..) {
+            let note = &mut self.notes[(i as usize).min(self.nodes.len())];
+            note.came_by = NONE;
+            if note.side == Side::Same {
                 note.side = side;
             }
         }
@@ -97,26 +113,10 @@ impl Network {
     /// Breadth first to the nearest lacks or, from all excess, the ground; from all lack against the flow. Returns whether there are `goals`.
     fn search(&mut self, block: Block, from: From) -> bool {
         let (ground, tolerance) = (self.nodes.len(), block.tolerance());
-        self.queue.clear();
-        let mut lacks = false;
-        for &i in &self.order[block.begin..block.end] {
-            let note = &mut self.notes[i as usize];
-            lacks |= note.excess < -tolerance;
-            let starts = match from {
-                From::Excess => note.excess > tolerance,
-                From::Ground => false,
-                From::Lack => note.excess < -tolerance && note.side == Side::Same,
-            };
-            note.came_by = if starts { START } else { NONE };
-            self.queue.extend(starts.then_some(i));
-        }
-        self.notes[ground].came_by = NONE;
-        if from == From::Ground && lacks {
-            self.notes[ground].came_by = START;
-            self.queue.push(GROUND);
-        }
-        let Self { incident, links, notes, queue, goals, order, .. } = self;
+        let Self { incident, links, notes, queue, goals, starts, order, .. } = self;
         let number = notes[order[block.begin] as usize].block;
+        queue.extend_from_slice(starts);
+        starts.iter().for_each(|i| notes[(*i as usize).min(ground)].came_by = START);
         goals.clear();
         let (mut next, mut nearer) = (0, queue.len());
         while next < queue.len() {
@@ -132,7 +132,7 @@ impl Network {
                 let link = &links[index as usize];
                 let other = link.other(node);
                 let note = &mut notes[(other as usize).min(ground)];
-                if note.came_by != NONE || link.cut || link.room(if from == From::Lack { other } else { node }) <= tolerance {
+                if note.came_by != NONE || link.cut || link.room((link.lo == node) != (from == From::Lack)) <= tolerance {
                     continue;
                 }
                 if other == GROUND {
@@ -158,7 +158,12 @@ impl Network {
             let place = self.slot(goal);
             self.notes[place].came_by = link;
             self.augment(block, goal);
+            self.notes[place].came_by = NONE;
         }
+        self.mark_reached(Side::Same);
+        let (Self { starts, lacks, notes, .. }, tolerance) = (self, block.tolerance());
+        starts.retain(|i| notes.get(*i as usize).is_none_or(|note| note.excess > tolerance));
+        lacks.retain(|i| notes[*i as usize].excess < -tolerance);
     }
 
     /// Routes what a path still has room for: others may have taken it.
@@ -168,7 +173,7 @@ impl Network {
         while self.notes[self.slot(node)].came_by != START {
             let link = &self.links[self.notes[self.slot(node)].came_by as usize];
             node = link.other(node);
-            amount = amount.min(link.room(node));
+            amount = amount.min(link.room(link.lo == node));
         }
         if node != GROUND {
             amount = amount.min(self.notes[node as usize].excess);
@@ -205,7 +210,7 @@ impl Network {
         }
         for at in block.begin..block.end {
             let i = self.order[at];
-            for slot in self.links_of(i) {
+            for slot in self.incident.slots(i as usize) {
                 let index = self.incident.list[slot] as usize;
                 let link = self.links[index];
                 let other = link.other(i);
