@@ -83,11 +83,12 @@ impl Cross<'_> {
         let mut moves = false;
         self.report.sides.clear();
         for i in 0..bodies.len() {
-            bodies[i].end.x = bodies[i].free.x;
-            bodies[i].mean.x = (bodies[i].to.x - bodies[i].from.x) * per_second;
-            self.pushes.given[i] = bodies[i].mass * bodies[i].free.x;
+            let body = &mut bodies[i];
+            body.end.x = body.free.x;
+            body.mean.x = (body.to.x - body.from.x) * per_second;
+            self.pushes.given[i] = body.mass * body.free.x;
             (self.pushes.pushed[i], self.pushes.told[i]) = (false, false);
-            moves |= (bodies[i].free.x != 0.0) | (bodies[i].to.x != bodies[i].from.x);
+            moves |= (body.free.x != 0.0) | (body.to.x != body.from.x);
         }
         moves
     }
