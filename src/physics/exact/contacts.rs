@@ -93,7 +93,7 @@ impl Events {
     pub(crate) fn list_surplus(&mut self, scene: &Scene) {
         for index in 0..self.contacts.len() {
             let contact = self.contacts[index];
-            let [normal, friction] = [contact.normal, contact.friction].map(|force| force * scene.tick);
+            let (normal, friction) = (contact.normal * scene.tick, contact.friction * scene.tick);
             let [surplus, rubs] = [contact.passed[0] - normal, contact.passed[1] - friction];
             let changes = |item: u32| !self.items[item as usize].law.is_constant() || self.items[item as usize].linked;
             if surplus > 1e-12 * normal && !changes(contact.lo) && !changes(contact.hi) {
