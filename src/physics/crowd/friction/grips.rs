@@ -5,7 +5,7 @@
 //! differently a body sticks to the strongest and slides on the others.
 
 use crate::physics::crowd::friction::{Friction, Grip, Riders};
-use crate::physics::{crowd::ROUNDING, crowd::bodies::Bodies, data::lists::first, data::lists::refill, data::tuning::MANY};
+use crate::physics::{crowd::ROUNDING, crowd::bodies::Bodies, data::lists::first, data::tuning::MANY};
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;
@@ -58,7 +58,7 @@ impl Friction {
                 settles = self.turned && self.gripped.len() > MANY || !self.drives(bodies, given);
                 break;
             }
-            self.keep_changed(&mut solved, round);
+            self.keep_changed(&mut solved, bodies.len(), round);
         }
         self.solved = solved;
         if !settles {
@@ -67,7 +67,7 @@ impl Friction {
     }
 
     /// Keeps of those `solved` the groups in which a grip has changed: another round would change no bit of the others.
-    fn keep_changed(&mut self, solved: &mut Vec<u32>, round: usize) {
+    fn keep_changed(&mut self, solved: &mut Vec<u32>, bodies: usize, round: usize) {
         let Self { start, end, tight, gripped, is_gripped, is_awake, group, stirred, changed, .. } = self;
         if round == 0 {
             gripped.iter().for_each(|i| group[*i as usize] = *i);
@@ -81,7 +81,7 @@ impl Friction {
                 }
             }
         }
-        refill(stirred, group.len(), false);
+        stirred[..bodies].fill(false);
         changed.drain(..).for_each(|i| stirred[first(group, i as usize)] = true);
         solved.retain(|i| stirred[first(group, *i as usize)]);
     }

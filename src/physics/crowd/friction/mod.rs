@@ -10,7 +10,7 @@ pub(crate) mod grips;
 
 use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, clusters::time_to_stop, contacts::Contacts, contacts::CrowdContact};
 use crate::physics::crowd::{gravity::Anchors, gravity::SLACK};
-use crate::physics::data::lists::refill;
+use crate::physics::data::lists::{grow, refill};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Grip {
@@ -101,15 +101,15 @@ impl Friction {
             refill(flags, all, false);
         }
         for places in [&mut self.start, &mut self.end, &mut self.group] {
-            places.resize(all, 0);
+            grow(places, all, 0);
         }
         for bodies in [&mut self.solved, &mut self.changed] {
             bodies.clear();
             bodies.reserve(all);
         }
-        self.stirred.resize(all, false);
-        self.loads.resize(all, 0.0);
-        self.riders.resize(all, Riders::default());
+        grow(&mut self.stirred, all, false);
+        grow(&mut self.loads, all, 0.0);
+        grow(&mut self.riders, all, Riders::default());
     }
 
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
