@@ -114,11 +114,7 @@ impl Bodies {
         self.ids.clear();
         self.ids.extend_from_slice(island.members);
         for i in island.members {
-            for j in island.near(*i) {
-                if *j as usize >= all || is_settled(*j) {
-                    self.ids.push(*j);
-                }
-            }
+            self.ids.extend(island.near(*i).iter().filter(|j| **j as usize >= all || is_settled(**j)));
         }
         self.ids[n..].sort_unstable();
         self.ids.dedup();

@@ -4,7 +4,7 @@
 //! On immovable ground a cluster with momentum P, mass M and the ground's largest impulses S (static) and K (kinetic) has the velocity 0 while |P|
 //! ≤ S, else (P ∓ K)/M. Pooling stays exact, as the terms K·|v| are convex.
 
-use crate::physics::{crowd::Edge, crowd::contacts::CrowdContact, data::lists::NONE, data::lists::grow, data::lists::refill};
+use crate::physics::{crowd::Edge, crowd::contacts::CrowdContact, data::lists::NONE, data::lists::refill};
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Node {
@@ -91,8 +91,8 @@ impl Clusters {
     pub fn begin(&mut self, all: usize) {
         self.joined.clear();
         refill(&mut self.is_joined, all, false);
-        grow(&mut self.members, all, ClusterMember::default());
-        grow(&mut self.roots, all, Root::default());
+        self.members.resize(all, ClusterMember::default());
+        self.roots.resize(all, Root::default());
     }
 
     pub fn clear(&mut self) {

@@ -10,13 +10,6 @@ pub(crate) fn refill<T: Clone>(list: &mut Vec<T>, count: usize, value: T) {
     list.resize(count, value);
 }
 
-/// Makes room for `count` items; those that are there stay.
-pub(crate) fn grow<T: Clone>(list: &mut Vec<T>, count: usize, value: T) {
-    if list.len() < count {
-        list.resize(count, value);
-    }
-}
-
 /// The first of those that a union–find forest joins to `i`; halves the path to it.
 #[inline(always)]
 pub(crate) fn first(parent: &mut [u32], mut i: usize) -> usize {
@@ -39,10 +32,7 @@ impl Incidence {
     pub fn index(&mut self, items: usize, pairs: impl DoubleEndedIterator<Item = [u32; 2]> + ExactSizeIterator + Clone) {
         // Count, sum up to where each item's pairs end, and fill from the back.
         refill(&mut self.first, items + 1, 0);
-        for [a, b] in pairs.clone() {
-            self.first[a as usize] += 1;
-            self.first[b as usize] += 1;
-        }
+        pairs.clone().flatten().for_each(|item| self.first[item as usize] += 1);
         let mut all = 0;
         for count in &mut self.first {
             all += *count;

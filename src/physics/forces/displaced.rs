@@ -92,7 +92,6 @@ pub(crate) trait Lanes:
 }
 
 impl Lanes for f64 {
-    #[inline(always)]
     fn all(of: f64) -> Self {
         of
     }
@@ -103,7 +102,6 @@ impl Lanes for f64 {
 }
 
 impl Lanes for DVec4 {
-    #[inline(always)]
     fn all(of: f64) -> Self {
         Self::splat(of)
     }

@@ -5,7 +5,9 @@
 //! differently a body sticks to the strongest and slides on the others.
 
 use crate::physics::crowd::friction::{Friction, Grip, Riders};
-use crate::physics::{crowd::ROUNDING, crowd::bodies::Bodies, data::lists::first, data::tuning::MANY};
+use crate::physics::{
+    crowd::ROUNDING, crowd::bodies::Bodies, crowd::bodies::Member, data::lists::first, data::lists::refill, data::tuning::MANY,
+};
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;
@@ -58,7 +60,7 @@ impl Friction {
                 settles = self.turned && self.gripped.len() > MANY || !self.drives(bodies, given);
                 break;
             }
-            self.keep_changed(&mut solved, bodies.len(), round);
+            self.keep_changed(&mut solved, round);
         }
         self.solved = solved;
         if !settles {
@@ -67,7 +69,7 @@ impl Friction {
     }
 
     /// Keeps of those `solved` the groups in which a grip has changed: another round would change no bit of the others.
-    fn keep_changed(&mut self, solved: &mut Vec<u32>, bodies: usize, round: usize) {
+    fn keep_changed(&mut self, solved: &mut Vec<u32>, round: usize) {
         let Self { start, end, tight, gripped, is_gripped, is_awake, group, stirred, changed, .. } = self;
         if round == 0 {
             gripped.iter().for_each(|i| group[*i as usize] = *i);
@@ -81,7 +83,7 @@ impl Friction {
                 }
             }
         }
-        stirred[..bodies].fill(false);
+        refill(stirred, group.len(), false);
         changed.drain(..).for_each(|i| stirred[first(group, i as usize)] = true);
         solved.retain(|i| stirred[first(group, *i as usize)]);
     }
@@ -107,7 +109,7 @@ impl Friction {
     fn begin_relaxing(&mut self, bodies: &mut Bodies, given: &[f64], part: f64) {
         for i in self.gripped.iter().map(|i| *i as usize) {
             bodies[i].end.x = given[i] / bodies[i].mass;
-            self.riders[i] = Riders::alone(bodies, i, given[i]);
+            self.riders[i] = alone(&bodies[i], given[i]);
         }
         for i in self.gripped.iter().map(|i| *i as usize) {
             for tight in &mut self.tight[self.start[i] as usize..self.end[i] as usize] {
@@ -148,7 +150,7 @@ impl Friction {
     fn gather(&mut self, bodies: &Bodies, given: &[f64], of: &[u32]) {
         let Self { start, end, tight, riders, .. } = self;
         for i in of.iter().map(|i| *i as usize) {
-            riders[i] = Riders::alone(bodies, i, given[i]);
+            riders[i] = alone(&bodies[i], given[i]);
         }
         for i in of.iter().rev().map(|i| *i as usize) {
             let tight = &mut tight[start[i] as usize..end[i] as usize];
@@ -228,4 +230,8 @@ impl Friction {
             changed.extend(changes.then_some(i as u32));
         }
     }
+}
+
+fn alone(body: &Member, given: f64) -> Riders {
+    Riders { momentum: given, began: body.mass * body.before.x, mass: body.mass }
 }

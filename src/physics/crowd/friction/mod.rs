@@ -10,7 +10,7 @@ pub(crate) mod grips;
 
 use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, clusters::time_to_stop, contacts::Contacts, contacts::CrowdContact};
 use crate::physics::crowd::{gravity::Anchors, gravity::SLACK};
-use crate::physics::data::lists::{grow, refill};
+use crate::physics::data::lists::refill;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Grip {
@@ -62,14 +62,6 @@ pub(crate) struct Riders {
     pub mass: f64,
 }
 
-impl Riders {
-    #[inline(always)]
-    fn alone(bodies: &Bodies, i: usize, given: f64) -> Self {
-        let body = &bodies[i];
-        Self { momentum: given, began: body.mass * body.before.x, mass: body.mass }
-    }
-}
-
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Friction {
     /// Tight contacts of body i: `tight[start[i]..end[i]]`.
@@ -97,19 +89,18 @@ pub(crate) struct Friction {
 
 impl Friction {
     pub fn begin(&mut self, all: usize) {
-        for flags in [&mut self.is_awake, &mut self.is_gripped] {
+        for flags in [&mut self.is_awake, &mut self.is_gripped, &mut self.stirred] {
             refill(flags, all, false);
         }
         for places in [&mut self.start, &mut self.end, &mut self.group] {
-            grow(places, all, 0);
+            places.resize(all, 0);
         }
         for bodies in [&mut self.solved, &mut self.changed] {
             bodies.clear();
             bodies.reserve(all);
         }
-        grow(&mut self.stirred, all, false);
-        grow(&mut self.loads, all, 0.0);
-        grow(&mut self.riders, all, Riders::default());
+        self.loads.resize(all, 0.0);
+        self.riders.resize(all, Riders::default());
     }
 
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
