@@ -114,7 +114,11 @@ impl Bodies {
         self.ids.clear();
         self.ids.extend_from_slice(island.members);
         for i in island.members {
-            self.ids.extend(island.near(*i).iter().filter(|j| **j as usize >= all || is_settled(**j)));
+            for j in island.near(*i) {
+                if *j as usize >= all || is_settled(*j) {
+                    self.ids.push(*j);
+                }
+            }
         }
         self.ids[n..].sort_unstable();
         self.ids.dedup();
