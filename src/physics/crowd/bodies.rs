@@ -113,8 +113,13 @@ impl Bodies {
         let (n, all) = (island.members.len(), from.motions.len());
         self.ids.clear();
         self.ids.extend_from_slice(island.members);
-        let near = island.members.iter().flat_map(|i| island.near(*i).iter().copied());
-        self.ids.extend(near.filter(|j| *j as usize >= all || is_settled(*j)));
+        for i in island.members {
+            for j in island.near(*i) {
+                if *j as usize >= all || is_settled(*j) {
+                    self.ids.push(*j);
+                }
+            }
+        }
         self.ids[n..].sort_unstable();
         self.ids.dedup();
         (self.count, self.bounces, self.airy) = (n, from.bounces, from.motions.airy);
@@ -214,6 +219,7 @@ impl Bodies {
 }
 
 impl Member {
+    #[inline(always)]
     fn body(source: Origin<'_>, i: usize) -> Self {
         let Origin { bodies, motions, frame, .. } = source;
         let (body, motion) = (&bodies[i], &motions.bodies[i]);

@@ -129,8 +129,8 @@ impl Clusters {
         self.edges.iter().map(|edge| Edge { restitution: self.restitution(edge.a as usize), ..*edge })
     }
 
-    pub fn hit<'a>(&mut self, contacts: impl Iterator<Item = &'a CrowdContact>, hits: impl Fn(&CrowdContact) -> Option<f64>) {
-        for contact in contacts {
+    pub fn hit(&mut self, contacts: [&[CrowdContact]; 2], hits: impl Fn(&CrowdContact) -> Option<f64>) {
+        for contact in contacts.into_iter().flatten().filter(|contact| contact.live) {
             let (a, b) = (contact.first as usize, contact.second as usize);
             if !self.is_joined(a) || !self.is_joined(b) || self.members[a].root != self.members[b].root {
                 continue;
@@ -164,26 +164,29 @@ impl Clusters {
         self.joined.push(i as u32);
     }
 
-    /// Merges pairs until none of the contacts closes by more than its bound; `bring` lets a pair join, or refuses.
-    pub fn pool<'a, C: Iterator<Item = &'a CrowdContact>>(
+    /// Merges pairs until none of the contacts closes by more than its bound; `bring` lets a pair join, or refuses. Only live ones count, for places
+    /// all of them.
+    pub fn pool(
         &mut self,
         pool: Pool<impl Fn(usize) -> f64>,
-        contacts: impl Fn() -> C,
+        contacts: [&[CrowdContact]; 2],
         mut bring: impl FnMut(&mut Self, &CrowdContact) -> bool,
     ) -> Pooled {
         self.clear();
         let (mut any, mut stuck, mut first) = (false, false, true);
         loop {
             let mut merged = false;
-            for contact in contacts() {
-                let (a, b) = (contact.first as usize, contact.second as usize);
-                if !first && !self.is_joined(a) && !self.is_joined(b) {
-                    continue;
-                }
-                let bound = if pool.places { -contact.reach } else { contact.bound };
-                if self.mean(a, (pool.before)(a)) > self.mean(b, (pool.before)(b)) + bound + pool.slack {
-                    let done = bring(self, contact) && self.merge(a, b, bound);
-                    (any, merged, stuck) = (true, merged | done, stuck | !done);
+            for list in contacts {
+                for contact in list {
+                    let (a, b) = (contact.first as usize, contact.second as usize);
+                    if !(contact.live || pool.places) || !(first || self.is_joined[a] || self.is_joined[b]) {
+                        continue;
+                    }
+                    let bound = if pool.places { -contact.reach } else { contact.bound };
+                    if self.mean(a, (pool.before)(a)) > self.mean(b, (pool.before)(b)) + bound + pool.slack {
+                        let done = bring(self, contact) && self.merge(a, b, bound);
+                        (any, merged, stuck) = (true, merged | done, stuck | !done);
+                    }
                 }
             }
             if !merged {

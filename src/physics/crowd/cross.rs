@@ -83,11 +83,12 @@ impl Cross<'_> {
         let mut moves = false;
         self.report.sides.clear();
         for i in 0..bodies.len() {
-            bodies[i].end.x = bodies[i].free.x;
-            bodies[i].mean.x = (bodies[i].to.x - bodies[i].from.x) * per_second;
-            self.pushes.given[i] = bodies[i].mass * bodies[i].free.x;
+            let body = &mut bodies[i];
+            body.end.x = body.free.x;
+            body.mean.x = (body.to.x - body.from.x) * per_second;
+            self.pushes.given[i] = body.mass * body.free.x;
             (self.pushes.pushed[i], self.pushes.told[i]) = (false, false);
-            moves |= (bodies[i].free.x != 0.0) | (bodies[i].to.x != bodies[i].from.x);
+            moves |= (body.free.x != 0.0) | (body.to.x != body.from.x);
         }
         moves
     }
@@ -153,8 +154,8 @@ impl Cross<'_> {
         let (n, Pushes { told, hits, .. }) = (bodies.len(), &mut **pushes);
         let brings = |i: usize| if i < n { node(bodies, friction, i, (told[i], *dt, rubs)) } else { Some(Node::default()) };
         let pool = Pool { before: |i| bodies[i].mean.x, slack: contacts.tolerances.hair / *dt, places: false };
-        let live = || contacts.sides.iter().filter(|side| side.live);
-        let pooled = clusters.pool(pool, live, |clusters, side| {
+        let lists = [&contacts.sides[..], &[]];
+        let pooled = clusters.pool(pool, lists, |clusters, side| {
             let (a, b) = (side.first as usize, side.second as usize);
             let (Some(of_a), Some(of_b)) = (brings(a), brings(b)) else { return false };
             let fixed = |i: usize| (i >= n).then(|| ClusterMotion { velocity: bodies[i].end.x, mean: bodies[i].mean.x });
@@ -168,7 +169,7 @@ impl Cross<'_> {
         if bodies.bounces && pooled.any {
             // A body that carries others does not bounce: friction alone would have to take them along.
             let alone = |i: usize| i >= n || !friction.carries(bodies, i);
-            clusters.hit(live(), |side| {
+            clusters.hit(lists, |side| {
                 let part = if alone(side.first as usize) && alone(side.second as usize) { 1.0 } else { 0.0 };
                 anchors.bounces.of(bodies, side, ACROSS).map(|restitution| part * restitution)
             });

@@ -134,8 +134,8 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
     };
     let fixed = |held: bool, i: usize| held.then(|| ClusterMotion { velocity: bodies[i].end.y, mean: bodies[i].mean.y });
     let pool = Pool { before: |i| bodies[i].mean.y, slack, places: false };
-    let live = || contacts.stacks.iter().chain(&contacts.ceilings).filter(|contact| contact.live);
-    clusters.pool(pool, live, |clusters, contact| {
+    let lists = [&contacts.stacks[..], &contacts.ceilings];
+    clusters.pool(pool, lists, |clusters, contact| {
         let (i, j) = (contact.first as usize, contact.second as usize);
         let ground = if clusters.is_joined(j) { clusters.is_fixed(j) } else { anchors.held[j] };
         if i < n && anchors.held[i] && !ground && !clusters.is_joined(i) {
@@ -150,7 +150,7 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
         true
     });
     if bodies.bounces {
-        clusters.hit(live(), |contact| anchors.bounces.of(bodies, contact, ALONG));
+        clusters.hit(lists, |contact| anchors.bounces.of(bodies, contact, ALONG));
     }
     for i in clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < n) {
         anchors.lands[i] = if clusters.came_fixed(i) { anchors.lands[i] } else { NONE };

@@ -106,10 +106,8 @@ fn lift(bodies: &mut Bodies, contacts: &Contacts, mended: &mut bool, dt: f64) ->
 /// Across: what overlaps is merged, in proportion to the masses. Returns whether something has to be looked at again.
 fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> bool {
     let (n, hair) = (bodies.len(), contacts.tolerances.hair);
-    let pooled = clusters.pool(
-        Pool { before: |i| bodies[i].to.x, slack: hair, places: true },
-        || contacts.sides.iter(),
-        |clusters, side| {
+    let pooled =
+        clusters.pool(Pool { before: |i| bodies[i].to.x, slack: hair, places: true }, [&contacts.sides, &[]], |clusters, side| {
             let (a, b) = (side.first as usize, side.second as usize);
             let apart = (bodies[a].to.y - bodies[b].to.y).abs() >= bodies[a].half.y + bodies[b].half.y;
             if !side.live && apart {
@@ -121,8 +119,7 @@ fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> 
                 clusters.join(i, fixed, Node::free(mass, 0.0, 0.0, bodies[i].to.x));
             }
             true
-        },
-    );
+        });
     let mut doubt = pooled.stuck;
     for i in clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < n) {
         bodies[i].to.x = clusters.mean(i, 0.0);

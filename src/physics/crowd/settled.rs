@@ -98,10 +98,11 @@ impl Settled {
         }
         self.largest = members.iter().map(|i| from.motions.swept[*i as usize].largest()).fold(0.0, f64::max);
         for &i in members {
+            if self.rests[i as usize] != MemberRest::Moves {
+                continue;
+            }
             for &j in island.near(i) {
-                if self.rests[i as usize] == MemberRest::Moves
-                    && self.rests.get(j as usize).is_some_and(|rest| *rest > MemberRest::Woken)
-                {
+                if self.rests.get(j as usize).is_some_and(|rest| *rest > MemberRest::Woken) {
                     self.rests[j as usize] = beside(from, i as usize, j as usize).min(self.rests[j as usize]);
                 }
             }

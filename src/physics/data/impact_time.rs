@@ -36,7 +36,8 @@ impl Cubic {
     }
 
     pub fn relative(&self, other: &Self) -> Self {
-        Self { c: [0, 1, 2, 3].map(|i| other.c[i] - self.c[i]) }
+        let ([x, v, a, j], of) = (other.c, self.c);
+        Self { c: [x - of[0], v - of[1], a - of[2], j - of[3]] }
     }
 
     pub fn stands(&self) -> bool {
@@ -44,7 +45,9 @@ impl Cubic {
     }
 
     pub fn axis(&self, axis: usize) -> Polynomial {
-        Polynomial(self.c.map(|c| c[axis]))
+        // `map` calls a function for each part.
+        let [x, v, a, j] = self.c;
+        Polynomial(if axis == 0 { [x.x, v.x, a.x, j.x] } else { [x.y, v.y, a.y, j.y] })
     }
 }
 
@@ -77,7 +80,8 @@ pub(crate) struct Polynomial(pub [f64; 4]);
 
 impl Polynomial {
     pub fn stands(&self) -> bool {
-        self.0[1..] == [0.0; 3]
+        let [_, v, a, j] = self.0;
+        (v == 0.0) & (a == 0.0) & (j == 0.0)
     }
 
     pub fn at(&self, t: f64) -> f64 {
@@ -165,7 +169,8 @@ impl Stretch {
     }
     pub fn rises_through(&self, level: f64, from: f64) -> Option<f64> {
         let (least, most) = self.bounds;
-        Self { path: Polynomial(self.path.0.map(|c| -c)), end: self.end, bounds: (-most, -least) }.falls_through(-level, from)
+        let [x, v, a, j] = self.path.0;
+        Self { path: Polynomial([-x, -v, -a, -j]), end: self.end, bounds: (-most, -least) }.falls_through(-level, from)
     }
 
     fn find_fall(&self, level: f64, from: f64) -> Option<f64> {

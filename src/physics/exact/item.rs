@@ -124,6 +124,7 @@ pub(crate) struct Item {
 }
 
 impl Item {
+    #[inline(always)]
     pub fn body(id: u32, body: &Body, drive: DVec2, searched: Aabb, known: bool) -> Self {
         let (body, a) = (body.clone(), body.acceleration);
         Self { id, body, drive, solved: a, mean: a, searched, known, stops_at: f64::INFINITY, ..Self::default() }
@@ -242,7 +243,8 @@ impl Track {
     pub fn new(item: &Item, way: Cubic) -> Self {
         let Item { since, until, motion, .. } = *item;
         let (half, t) = (item.body.half, until - since);
-        let swept = item.train.map_or_else(|| way.swept(half, t), |train| train.way);
+        let free = || if way.stands() { Aabb::around(way.c[0], half) } else { way.swept(half, t) };
+        let swept = item.train.as_ref().map_or_else(free, |train| train.way);
         // Places on a path are off by less than 64 roundings of the largest coordinate and 1e-6 m.
         let rounding = swept.min.abs().max(swept.max.abs()) * (64.0 * f64::EPSILON) + 1e-6;
         Self { since, until, motion, half, way, swept, rounding }

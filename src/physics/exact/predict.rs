@@ -56,8 +56,8 @@ impl Events {
         let whole = mine.since == self.now && left == mine.until - self.now;
         let lane = if whole { mine.swept } else { from_here.swept(mine.half, left) };
         let lane = Aabb::new(lane.min - reach, lane.max + reach);
-        for (j, other) in self.lanes.iter().enumerate() {
-            if other.meets(&lane) && j != i {
+        for (j, theirs) in self.lanes.iter().enumerate() {
+            if j != i && theirs.meets(&lane) {
                 self.next_meeting(i, j, &from_here, next);
             }
         }
@@ -114,8 +114,12 @@ impl Events {
         if lo.is_still() && hi.is_still() {
             return;
         }
-        let end = lo.until.min(hi.until) - self.now;
         let along = 1 - contact.axis;
+        // Where both have the same path the rest would say no more: most of what moves as one.
+        if lo.since == hi.since && (1..4).all(|k| lo.way.c[k][along] == hi.way.c[k][along]) {
+            return;
+        }
+        let end = lo.until.min(hi.until) - self.now;
         let motion = lo.way_from(self.now).relative(&hi.way_from(self.now)).axis(along);
         if motion.stands() {
             return;

@@ -3,8 +3,8 @@
 
 use crate::physics::data::{BOBBING_REACH, Body, Cubic, HEAVY_REACH, Pose, TERMINAL_TOLERANCE};
 use crate::physics::flight::air::fly_through;
-use crate::physics::flight::steps::{Bob, Course, Step, Steps, bob_side_by_side};
-use crate::physics::forces::{Bath, Law, Media, Regime};
+use crate::physics::flight::steps::{Bob, Bobs, Course, Step, Steps};
+use crate::physics::forces::{Bath, Law, Media, Regime, liquid::Vertical};
 use glam::DVec2;
 
 #[derive(Clone)]
@@ -50,21 +50,41 @@ pub(crate) fn flow_while(media: &Media, body: &Body, law: &Law, t: f64, goes_on:
 
 /// The same of bodies near liquids. Those that bob straight up and down take their steps side by side, to the same bits.
 pub(crate) fn flow_side_by_side(media: &Media, of: &[u32], all: (&[Body], &[Law]), t: f64, mut out: impl FnMut(u32, Course)) {
+    let mut bobs = Bobs::default();
     for of in of.chunks(4) {
-        let of = of.iter().map(|i| (*i, &all.0[*i as usize], &all.1[*i as usize]));
-        let (mut bobs, mut any) = ([Bob::default(); 4], false);
-        for (bob, (_, body, law)) in bobs.iter_mut().zip(of.clone()) {
-            any |= Swimmer::begin(media, body, law).bobs(t, bob);
+        let of = of.iter().map(|i| (*i, &all.0[*i as usize], &all.1[*i as usize])).enumerate();
+        let mut bob = [false; 4];
+        for (k, (_, body, law)) in of.clone() {
+            if let Some(set) = bobs_by(media, body, law, t) {
+                bobs.set(k, set);
+                bob[k] = true;
+            }
         }
-        let steps = if any { bob_side_by_side(&bobs, t) } else { [Step::default(); 4] };
-        for ((bob, step), (i, body, law)) in bobs.iter().zip(steps).zip(of) {
-            if bob.is_done_by(&step, &law.displaced, t) {
-                out(i, Course { end: step.end, time: t, next: t, pull: Some(step.pull) });
+        let steps = if bob.contains(&true) { bobs.step(t) } else { [Step::default(); 4] };
+        for (k, (i, body, law)) in of {
+            if bob[k] && bobs.of[k].is_done_by(&steps[k], &law.displaced, t) {
+                out(i, Course { end: steps[k].end, time: t, next: t, pull: Some(steps[k].pull) });
             } else {
                 out(i, Swimmer::begin(media, body, law).swim(t, |_, _| true));
             }
         }
     }
+}
+
+/// The vertical motion of a body in one surface, if it has one that one step of `t` seconds may resolve.
+#[inline(always)]
+fn bobs_by(media: &Media, body: &Body, law: &Law, t: f64) -> Option<(Bob, Vertical)> {
+    let (x, v) = (body.position, body.velocity);
+    if v.y == 0.0 || law.rough || !law.displaced.holds(x) {
+        return None;
+    }
+    let regime = law.around(media, body);
+    let (vertical, bath) = regime.vertical(law.constant, x, v)?;
+    let drag = rate_of_drag(&bath, DVec2::new(law.constant.x, law.constant.y - bath.lift), v);
+    let bobs = bath.stiffness.sqrt();
+    let slow = 16.0 * bath.rounding(law.constant, body, x.y) / bobs;
+    let bob = Bob { x, v: v.y, pull: bath.acceleration(law.constant, v).y, slow };
+    is_slow(drag + bobs, t).then_some((bob, vertical))
 }
 
 impl<'a> Swimmer<'a> {
@@ -75,21 +95,6 @@ impl<'a> Swimmer<'a> {
 
     fn pose(&self) -> Pose {
         (self.regime.body.position, self.regime.body.velocity)
-    }
-
-    /// Sets its vertical motion in one surface, if it has one that one step of `t` seconds may resolve.
-    fn bobs(&self, t: f64, bob: &mut Bob) -> bool {
-        let ((x, v), constant, body) = (self.pose(), self.regime.constant, self.regime.body);
-        let Some(law) = self.regime.vertical(constant, x, v).filter(|_| v.y != 0.0 && !self.law.rough) else { return false };
-        let bath = self.regime.bath(x);
-        let drag = rate_of_drag(&bath, DVec2::new(constant.x, constant.y - bath.lift), v);
-        let bobs = bath.stiffness.sqrt();
-        if !is_slow(drag + bobs, t) {
-            return false;
-        }
-        let slow = 16.0 * bath.rounding(constant, body, x.y) / bobs;
-        *bob = Bob { x, v: v.y, pull: bath.acceleration(constant, v).y, slow, law };
-        true
     }
 
     /// Its course for `t` seconds, or to the end of the last step (at least one) at which `goes_on` holds.

@@ -4,9 +4,8 @@
 
 use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, Quintic, earliest};
 use crate::physics::forces::liquid::{Bath, Regime, Slopes, Vertical};
-use crate::physics::{flight::implicit, forces::displaced::Displaced};
+use crate::physics::{flight::implicit, forces::displaced::Displaced, forces::displaced::Lanes};
 use glam::{DVec2, DVec4};
-use std::array::from_fn;
 use std::ops::{Add, AddAssign, Mul};
 
 pub(crate) struct Course {
@@ -124,7 +123,7 @@ impl Steps<'_> {
             let (end, error) = implicit::step(self.regime, self.constant, slopes, (x, v), h);
             return Step { end, pull: self.regime.pull(self.constant, end.0, end.1), error };
         }
-        if let Some(law) = self.regime.vertical(self.constant, x, v) {
+        if let Some((law, _)) = self.regime.vertical(self.constant, x, v) {
             let ((y, v), last, [way, speed]) = pair((x.y, v.y), pull.y, h, |y, v| law.pull(y, v));
             return Step::along(x.x, (y, v), last, way.abs().max(speed.abs()));
         }
@@ -166,36 +165,61 @@ impl Step {
     }
 }
 
-/// A body that bobs straight up and down, by its law, and the speed (m/s) below which it may be at rest.
+/// A body that bobs straight up and down, and the speed (m/s) below which it may be at rest.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Bob {
     pub x: DVec2,
     pub v: f64,
     pub pull: f64,
     pub slow: f64,
-    pub law: Vertical,
 }
 
 impl Bob {
     /// Whether [`Steps::take`] would leave a step of `h` seconds as it is: no turn, no kink, a small error.
     pub fn is_done_by(&self, &Step { end: (end, w), error, .. }: &Step, displaced: &Displaced, h: f64) -> bool {
-        let Self { x, v, pull, slow, .. } = *self;
-        let (third, at) = (h / 3.0, |way: f64| DVec2::new(x.x, x.y + way));
+        let Self { x, v, pull, slow } = *self;
+        let third = h / 3.0;
+        let heights = [x.y + v * (0.5 * h), x.y + (v + pull * (0.5 * h)) * h, x.y + v * third, end.y - w.y * third];
+        let least = heights.iter().fold(end.y, |least, y| if *y < least { *y } else { least });
+        let most = heights.iter().fold(end.y, |most, y| if *y > most { *y } else { most });
         v * (v + pull * h) > 0.0
             && v * w.y > 0.0
             && w.y.abs() > slow
             && error <= FLIGHT_TOLERANCE
-            && displaced.holds_along([at(v * (0.5 * h)), at((v + pull * (0.5 * h)) * h), at(v * third), end - w * third, end])
+            && displaced.holds_along([DVec2::new(x.x, least), DVec2::new(x.x, most)])
     }
 }
 
-/// A step of `h` seconds of each of them: while one waits for a result, the others go on.
-#[inline(always)]
-pub(crate) fn bob_side_by_side(of: &[Bob; 4], h: f64) -> [Step; 4] {
-    let law = |y: DVec4, v: DVec4| DVec4::from_array(from_fn(|k| of[k].law.pull(y[k], v[k])));
-    let lanes = |part: fn(&Bob) -> f64| DVec4::from_array(from_fn(|k| part(&of[k])));
-    let ((y, v), last, [way, speed]) = pair((lanes(|bob| bob.x.y), lanes(|bob| bob.v)), lanes(|bob| bob.pull), h, law);
-    from_fn(|k| Step::along(of[k].x.x, (y[k], v[k]), last[k], way[k].abs().max(speed[k].abs())))
+/// Four of them, with their laws: while one waits for a result, the others go on.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Bobs {
+    pub of: [Bob; 4],
+    laws: Vertical<DVec4>,
+}
+
+impl Bobs {
+    #[inline(always)]
+    pub fn set(&mut self, k: usize, (bob, law): (Bob, Vertical)) {
+        self.of[k] = bob;
+        self.laws.0.iter_mut().zip(law.0).for_each(|(of, part)| of.as_mut()[k] = part);
+    }
+
+    /// A step of `h` seconds of each.
+    #[inline(always)]
+    pub fn step(&self, h: f64) -> [Step; 4] {
+        let [a, b, c, d] = &self.of;
+        let lanes = |part: fn(&Bob) -> f64| DVec4::new(part(a), part(b), part(c), part(d));
+        let pose = (lanes(|bob| bob.x.y), lanes(|bob| bob.v));
+        let ((y, v), last, [way, speed]) = pair(pose, lanes(|bob| bob.pull), h, |y, v| self.laws.pull(y, v));
+        let error = way.with(speed, |way, speed| way.abs().max(speed.abs()));
+        let step = |bob: &Bob, y, v, last, error| Step::along(bob.x.x, (y, v), last, error);
+        [
+            step(a, y.x, v.x, last.x, error.x),
+            step(b, y.y, v.y, last.y, error.y),
+            step(c, y.z, v.z, last.z, error.z),
+            step(d, y.w, v.w, last.w, error.w),
+        ]
+    }
 }
 
 /// A body's part of a step of several.

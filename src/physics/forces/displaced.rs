@@ -4,8 +4,8 @@
 
 use crate::physics::data::{Aabb, Body, Cubic, FluidDef, WAVES, earliest};
 use crate::physics::forces::{media::Media, zones::ZoneList};
-use glam::{BVec2, DVec2};
-use std::ops::AddAssign;
+use glam::{BVec2, DVec2, DVec4};
+use std::ops::{Add, AddAssign, Div, Mul, Sub};
 
 /// Stokes' law: 3π per diameter.
 pub(crate) const STOKES: f64 = 3.0 * std::f64::consts::PI;
@@ -77,39 +77,69 @@ impl Bilinear {
     }
 }
 
-/// One instruction, as `max` is not: that minds what is no number.
-fn positive(x: f64) -> f64 {
-    if x > 0.0 { x } else { 0.0 }
+/// A number, or one of each of four bodies, for laws that are the same to the bit for both.
+pub(crate) trait Lanes:
+    Copy + Add<Output = Self> + AddAssign + Sub<Output = Self> + Div<Output = Self> + Mul<Output = Self> + Mul<f64, Output = Self>
+{
+    fn all(of: f64) -> Self;
+    fn with(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self;
+
+    /// One instruction, as `max` is not: that minds what is no number.
+    #[inline(always)]
+    fn positive(self) -> Self {
+        self.with(Self::all(0.0), |x, zero| if x > zero { x } else { zero })
+    }
+}
+
+impl Lanes for f64 {
+    fn all(of: f64) -> Self {
+        of
+    }
+    #[inline(always)]
+    fn with(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
+        of(self, other)
+    }
+}
+
+impl Lanes for DVec4 {
+    fn all(of: f64) -> Self {
+        Self::splat(of)
+    }
+    #[inline(always)]
+    fn with(self, other: Self, of: impl Fn(f64, f64) -> f64) -> Self {
+        Self::new(of(self.x, other.x), of(self.y, other.y), of(self.z, other.z), of(self.w, other.w))
+    }
 }
 
 /// A [`Bilinear`] along a vertical.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct LinearLaw(f64, f64);
+pub(crate) struct LinearLaw<T = f64>(pub T, pub T);
 
-impl LinearLaw {
+impl<T: Lanes> LinearLaw<T> {
     #[inline(always)]
-    pub fn at(&self, y: f64) -> f64 {
-        positive(self.0 + self.1 * y)
+    pub fn at(&self, y: T) -> T {
+        (self.0 + self.1 * y).positive()
     }
 }
 
 /// The waves of a surface along a vertical.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Waves {
-    mass: f64,
-    swing: f64,
-    depth: LinearLaw,
-    under: LinearLaw,
+pub(crate) struct Waves<T = f64> {
+    pub mass: T,
+    pub swing: T,
+    pub depth: LinearLaw<T>,
+    pub under: LinearLaw<T>,
 }
 
-impl Waves {
+impl<T: Lanes> Waves<T> {
     /// Their damping per C_d, 1/s.
     #[inline(always)]
-    pub fn at(&self, y: f64) -> f64 {
-        let under = self.under.at(y).min(1.0);
+    pub fn at(&self, y: T) -> T {
+        let one = T::all(1.0);
+        let under = self.under.at(y).with(one, |under, one| if under < one { under } else { one });
         let ratio = self.mass * self.depth.at(y);
         let fourth = (under * under) * (under * under);
-        self.swing * (ratio / (1.0 + ratio)) * (1.0 - fourth * fourth)
+        self.swing * (ratio / (one + ratio)) * (one - fourth * fourth)
     }
 }
 
@@ -128,7 +158,7 @@ pub(crate) struct Cut {
 
 impl Cut {
     fn width(&self, apart: DVec2) -> f64 {
-        positive(self.extent.length.x + self.extent.slope.x * apart.x)
+        (self.extent.length.x + self.extent.slope.x * apart.x).positive()
     }
 
     pub fn waves_along(&self, x: f64) -> Waves {

@@ -28,10 +28,16 @@ impl Law {
 
     #[inline(always)]
     pub fn regime<'a>(&'a self, media: &'a Media, body: &'a Body, x: DVec2) -> Regime<'a> {
-        let air = if self.air.is_none() { 0.0 } else { media.air_density };
-        let mut regime = Regime::new(media, body, self.constant, air, &self.displaced);
+        let mut regime = self.around(media, body);
         regime.follow(x);
         regime
+    }
+
+    /// Its regime where its forms hold.
+    #[inline(always)]
+    pub fn around<'a>(&'a self, media: &'a Media, body: &'a Body) -> Regime<'a> {
+        let air = if self.air.is_none() { 0.0 } else { media.air_density };
+        Regime::new(media, body, self.constant, air, &self.displaced)
     }
 }
 

@@ -3,7 +3,7 @@
 //! what the surface cuts (`docs/physics.md`, Liquids). A body without velocity whose forces balance to rounding has a resultant of exactly zero.
 
 use crate::physics::data::body::Body;
-use crate::physics::forces::displaced::{Displaced, LinearLaw, Waves};
+use crate::physics::forces::displaced::{Bilinear, Cut, Displaced, Lanes, LinearLaw, Waves};
 use crate::physics::forces::{air::Drag, media::Media};
 use glam::{DMat2, DVec2};
 use std::borrow::Cow;
@@ -78,30 +78,22 @@ pub(crate) struct Regime<'a> {
     sure: f64,
 }
 
-/// The vertical part of [`Regime::pull`] along a vertical.
+/// The vertical part of [`Regime::pull`] along a vertical: its numbers, in the order in which [`Vertical::pull`] names them.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Vertical {
-    constant: f64,
-    lift: f64,
-    air: f64,
-    sure: f64,
-    drag: f64,
-    centre: f64,
-    wet: LinearLaw,
-    inside: LinearLaw,
-    linear: LinearLaw,
-    waves: Waves,
-    wavy: f64,
-}
+pub(crate) struct Vertical<T = f64>(pub [T; 19]);
 
-impl Vertical {
+impl<T: Lanes> Vertical<T> {
     /// At a height with a velocity.
     #[inline(always)]
-    pub fn pull(&self, y: f64, v: f64) -> f64 {
-        let y = y - self.centre;
-        let wet = self.wet.at(y);
-        let drag = (wet + self.air * dry(self.inside.at(y), self.sure)) * (self.drag * v.abs()) + self.linear.at(y);
-        (self.constant - self.lift * wet) - v * (drag + self.wavy * self.waves.at(y))
+    pub fn pull(&self, y: T, v: T) -> T {
+        let [constant, lift, air, sure, drag, centre, wet, wetter, inside, deeper, linear, slower, ..] = self.0;
+        let [.., mass, swing, depth, down, under, sinks, wavy] = self.0;
+        let y = y - centre;
+        let wet = LinearLaw(wet, wetter).at(y);
+        let dry = (T::all(1.0) - LinearLaw(inside, deeper).at(y)).with(sure, |dry, sure| if dry < sure { 0.0 } else { dry });
+        let drag = (wet + air * dry) * (drag * v.with(v, |v, _| v.abs())) + LinearLaw(linear, slower).at(y);
+        let waves = Waves { mass, swing, depth: LinearLaw(depth, down), under: LinearLaw(under, sinks) };
+        (constant - lift * wet) - v * (drag + wavy * waves.at(y))
     }
 }
 
@@ -127,11 +119,18 @@ impl<'a> Regime<'a> {
         self.body.drag * self.displaced.over_cuts(self.media, self.body, |cut| cut.waves(apart))
     }
     pub fn bath(&self, x: DVec2) -> Bath {
-        let (displaced, apart) = (&self.displaced, self.displaced.apart(x));
+        let apart = self.displaced.apart(x);
+        let at = |cut: &Cut| DVec2::new(cut.waves(apart), cut.stiffness(apart));
+        self.bath_at(apart, self.displaced.over_cuts(self.media, self.body, at))
+    }
+
+    /// The bath, given what waves damp per C_d (1/s) and K/m (1/s²).
+    #[inline(always)]
+    fn bath_at(&self, apart: DVec2, cuts: DVec2) -> Bath {
         let (wet, dry) = self.densities(apart);
-        let (fraction, linear) = (displaced.fraction.at(apart), displaced.linear.at(apart));
-        let stiffness = displaced.over_cuts(self.media, self.body, |cut| cut.stiffness(apart));
-        Bath { fraction, drag: self.drag.scaled(wet + dry), linear, waves: self.damping(apart), lift: self.lift * wet, stiffness }
+        let (fraction, linear) = (self.displaced.fraction.at(apart), self.displaced.linear.at(apart));
+        let waves = self.body.drag * cuts.x;
+        Bath { fraction, drag: self.drag.scaled(wet + dry), linear, waves, lift: self.lift * wet, stiffness: cuts.y }
     }
 
     /// Acceleration at `x` with velocity `v` by media and `constant`, m/s²: [`Bath::acceleration`] for integrators.
@@ -142,17 +141,26 @@ impl<'a> Regime<'a> {
         DVec2::new(constant.x - v.x * drag, (constant.y - self.lift * wet) - v.y * (drag + self.damping(apart)))
     }
 
-    /// The law of what does not move across at `x`, in the only surface there.
-    pub fn vertical(&self, constant: DVec2, x: DVec2, v: DVec2) -> Option<Vertical> {
+    /// The law of what does not move across at `x`, in the only surface there, and the bath.
+    #[inline(always)]
+    pub fn vertical(&self, constant: DVec2, x: DVec2, v: DVec2) -> Option<(Vertical, Bath)> {
         if v.x != 0.0 || constant.x != 0.0 {
             return None;
         }
         let (displaced, apart) = (&*self.displaced, self.displaced.apart(x));
-        let waves = displaced.only_cut()?.waves_along(apart.x);
-        let [wet, inside, linear] = [displaced.density, displaced.fraction, displaced.linear].map(|form| form.along(apart.x));
+        let cut = displaced.only_cut()?;
+        let waves = cut.waves_along(apart.x);
+        let bath = self.bath_at(apart, DVec2::new(waves.at(apart.y), cut.stiffness(apart)));
+        let Waves { mass, swing, depth, under } = waves;
+        let along = |form: &Bilinear| form.along(apart.x);
+        let (wet, inside, linear) = (along(&displaced.density), along(&displaced.fraction), along(&displaced.linear));
         let (drag, centre) = (self.drag.wide + self.drag.round, -displaced.apart(DVec2::ZERO).y);
-        let (constant, wavy) = (constant.y, self.body.drag);
-        Some(Vertical { constant, lift: self.lift, air: self.air, sure: self.sure, drag, centre, wet, inside, linear, waves, wavy })
+        #[rustfmt::skip]
+        let law = [
+            constant.y, self.lift, self.air, self.sure, drag, centre, wet.0, wet.1, inside.0, inside.1, linear.0, linear.1,
+            mass, swing, depth.0, depth.1, under.0, under.1, self.body.drag,
+        ];
+        Some((Vertical(law), bath))
     }
 
     /// How [`Regime::pull`] changes around `x` and `v`.

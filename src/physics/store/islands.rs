@@ -274,11 +274,14 @@ impl Islands {
                 join_with(parent, &mut root, *other as usize);
             }
             let bodies = others.len();
-            let near = broad_phase.near(i as usize).iter().map(|surface| n + *surface as usize);
-            others.extend(near.filter(|j| is_listed[*j] && mine.meets(&motions.swept[*j])).map(|j| j as u32));
+            for j in broad_phase.near(i as usize).iter().map(|surface| n + *surface as usize) {
+                if is_listed[j] && mine.meets(&motions.swept[j]) {
+                    others.push(j as u32);
+                }
+            }
             if !moving.is_empty() {
-                for (first, &surface) in carried.iter_mut().zip(moving) {
-                    let j = n + surface as usize;
+                for (k, &surface) in moving.iter().enumerate() {
+                    let (first, j) = (&mut carried[k], n + surface as usize);
                     if !mine.meets(&motions.swept[j]) {
                         continue;
                     }

@@ -4,8 +4,10 @@
 //! or lets it slide. Rounds that do not settle are relaxed contact by contact, which dissipates. Exact on trees; on several supports that move
 //! differently a body sticks to the strongest and slides on the others.
 
-use crate::physics::crowd::friction::{Friction, FrictionContact, Grip, Riders};
-use crate::physics::{crowd::ROUNDING, crowd::bodies::Bodies, data::tuning::MANY};
+use crate::physics::crowd::friction::{Friction, Grip, Riders};
+use crate::physics::{
+    crowd::ROUNDING, crowd::bodies::Bodies, crowd::bodies::Member, data::lists::first, data::lists::refill, data::tuning::MANY,
+};
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;
@@ -38,25 +40,52 @@ impl Friction {
     /// expected to last: a body between two that slide over it is no part of both.
     pub fn solve(&mut self, bodies: &mut Bodies, given: &[f64]) {
         for i in self.gripped.iter().map(|i| *i as usize) {
+            let body = &bodies[i];
             for tight in &mut self.tight[self.start[i] as usize..self.end[i] as usize] {
-                let sliding = bodies[i].before.x - bodies[tight.below as usize].was.x - tight.belt_velocity;
-                let lasts = !tight.stood && bodies[i].mass * sliding.abs() > tight.kinetic_limit;
+                let sliding = body.before.x - bodies[tight.below as usize].was.x - tight.belt_velocity;
+                let lasts = !tight.stood && body.mass * sliding.abs() > tight.kinetic_limit;
                 tight.grip = if lasts { Grip::Slip(-sliding.signum()) } else { Grip::Stick };
                 tight.sense = 1.0;
             }
         }
         self.turned = false;
-        for _ in 0..ROUNDS {
-            self.gather(bodies, given);
-            if !self.spread(bodies) {
-                if self.turned && self.gripped.len() > MANY || !self.drives(bodies, given) {
-                    // A body on several supports is not left with a slip that drives.
-                    return;
-                }
+        let mut solved = std::mem::take(&mut self.solved);
+        solved.clone_from(&self.gripped);
+        let mut settles = false;
+        for round in 0..ROUNDS {
+            self.gather(bodies, given, &solved);
+            self.spread(bodies, &solved);
+            if self.changed.is_empty() {
+                // A body on several supports is not left with a slip that drives.
+                settles = self.turned && self.gripped.len() > MANY || !self.drives(bodies, given);
                 break;
             }
+            self.keep_changed(&mut solved, round);
         }
-        self.relax(bodies, given);
+        self.solved = solved;
+        if !settles {
+            self.relax(bodies, given);
+        }
+    }
+
+    /// Keeps of those `solved` the groups in which a grip has changed: another round would change no bit of the others.
+    fn keep_changed(&mut self, solved: &mut Vec<u32>, round: usize) {
+        let Self { start, end, tight, gripped, is_gripped, is_awake, group, stirred, changed, .. } = self;
+        if round == 0 {
+            gripped.iter().for_each(|i| group[*i as usize] = *i);
+            for i in gripped.iter().map(|i| *i as usize) {
+                for tight in &tight[start[i] as usize..end[i] as usize] {
+                    let below = tight.below as usize;
+                    if is_awake[below] && is_gripped[below] {
+                        let (a, b) = (first(group, i), first(group, below));
+                        group[a.max(b)] = a.min(b) as u32;
+                    }
+                }
+            }
+        }
+        refill(stirred, group.len(), false);
+        changed.drain(..).for_each(|i| stirred[first(group, i as usize)] = true);
+        solved.retain(|i| stirred[first(group, *i as usize)]);
     }
 
     fn drives(&self, bodies: &Bodies, given: &[f64]) -> bool {
@@ -80,7 +109,7 @@ impl Friction {
     fn begin_relaxing(&mut self, bodies: &mut Bodies, given: &[f64], part: f64) {
         for i in self.gripped.iter().map(|i| *i as usize) {
             bodies[i].end.x = given[i] / bodies[i].mass;
-            self.riders[i] = self.alone(bodies, i, given[i]);
+            self.riders[i] = alone(&bodies[i], given[i]);
         }
         for i in self.gripped.iter().map(|i| *i as usize) {
             for tight in &mut self.tight[self.start[i] as usize..self.end[i] as usize] {
@@ -117,83 +146,92 @@ impl Friction {
         most
     }
 
-    fn alone(&self, bodies: &Bodies, i: usize, given: f64) -> Riders {
-        let mass = bodies[i].mass;
-        Riders { momentum: given, began: mass * bodies[i].before.x, mass }
-    }
-
     /// Top-down.
-    fn gather(&mut self, bodies: &Bodies, given: &[f64]) {
-        for i in self.gripped.iter().map(|i| *i as usize) {
-            self.riders[i] = self.alone(bodies, i, given[i]);
+    fn gather(&mut self, bodies: &Bodies, given: &[f64], of: &[u32]) {
+        let Self { start, end, tight, riders, .. } = self;
+        for i in of.iter().map(|i| *i as usize) {
+            riders[i] = alone(&bodies[i], given[i]);
         }
-        for i in self.gripped.iter().rev().map(|i| *i as usize) {
-            let under = self.under(i);
-            let mut static_limit = 0.0;
-            for tight in &mut self.tight[under.clone()] {
+        for i in of.iter().rev().map(|i| *i as usize) {
+            let tight = &mut tight[start[i] as usize..end[i] as usize];
+            let (mut mine, mut static_limit) = (riders[i], 0.0);
+            for tight in &mut *tight {
                 match tight.grip {
                     Grip::Slip(sign) => {
                         tight.impulse = sign * tight.kinetic_limit * tight.sense;
-                        self.riders[i].momentum += tight.impulse;
-                        self.riders[tight.below as usize].momentum -= tight.impulse;
+                        mine.momentum += tight.impulse;
+                        riders[tight.below as usize].momentum -= tight.impulse;
                     }
                     Grip::Stick => static_limit += tight.static_limit,
                 }
             }
-            let mine = self.riders[i];
-            for tight in self.tight[under].iter().filter(|tight| tight.grip == Grip::Stick && tight.static_limit > 0.0) {
-                let (part, below) = (tight.static_limit / static_limit, &mut self.riders[tight.below as usize]);
-                below.momentum += part * mine.momentum;
-                below.began += part * mine.began;
-                below.mass += part * mine.mass;
+            riders[i] = mine;
+            for tight in &*tight {
+                if tight.sticks() {
+                    let (part, below) = (tight.static_limit / static_limit, &mut riders[tight.below as usize]);
+                    below.momentum += part * mine.momentum;
+                    below.began += part * mine.began;
+                    below.mass += part * mine.mass;
+                }
             }
         }
     }
 
-    /// Bottom-up. Returns whether some contact had to change its grip.
-    fn spread(&mut self, bodies: &mut Bodies) -> bool {
-        let mut changed = false;
-        for k in 0..self.gripped.len() {
-            let i = self.gripped[k] as usize;
-            let (under, mine) = (self.under(i), self.riders[i]);
+    /// Bottom-up. Notes the bodies of which some contact had to change its grip.
+    fn spread(&mut self, bodies: &mut Bodies, of: &[u32]) {
+        let Self { start, end, tight, riders, changed, turned, .. } = self;
+        changed.clear();
+        for i in of.iter().map(|i| *i as usize) {
+            let (tight, mine) = (&mut tight[start[i] as usize..end[i] as usize], riders[i]);
             // The strongest support that it sticks to, and the limits of all of them.
-            let (mut best, mut static_limit, mut holds) = (None::<&FrictionContact>, 0.0, 0.0);
-            for tight in self.tight[under.clone()].iter().filter(|tight| tight.grip == Grip::Stick && tight.static_limit > 0.0) {
-                (static_limit, holds) = (static_limit + tight.static_limit, holds + tight.holds);
-                if best.is_none_or(|best| tight.static_limit > best.static_limit) {
-                    best = Some(tight);
-                }
-            }
-            let Some(&FrictionContact { below, belt_velocity, stood, .. }) = best else {
-                bodies[i].end.x = mine.momentum / mine.mass;
-                for tight in &mut self.tight[under] {
-                    let slip = bodies[i].end.x - bodies[tight.below as usize].end.x - tight.belt_velocity;
-                    if matches!(tight.grip, Grip::Slip(sign) if slip * sign > 0.0) {
-                        (tight.grip, changed) = (Grip::Stick, true);
+            let (mut best, mut strongest, mut static_limit, mut holds) = (None, 0.0, 0.0, 0.0);
+            for tight in &*tight {
+                if tight.sticks() {
+                    (static_limit, holds) = (static_limit + tight.static_limit, holds + tight.holds);
+                    if tight.static_limit > strongest {
+                        (best, strongest) = (Some((tight.below as usize, tight.belt_velocity, tight.stood)), tight.static_limit);
                     }
                 }
+            }
+            let mut changes = false;
+            let Some((below, belt_velocity, stood)) = best else {
+                bodies[i].end.x = mine.momentum / mine.mass;
+                for tight in tight {
+                    let slip = bodies[i].end.x - bodies[tight.below as usize].end.x - tight.belt_velocity;
+                    if matches!(tight.grip, Grip::Slip(sign) if slip * sign > 0.0) {
+                        (tight.grip, changes) = (Grip::Stick, true);
+                    }
+                }
+                changed.extend(changes.then_some(i as u32));
                 continue;
             };
-            let target = bodies[below as usize].end.x + belt_velocity;
+            let target = bodies[below].end.x + belt_velocity;
             let impulse = mine.mass * target - mine.momentum;
             bodies[i].end.x = target;
             // Static friction holds a slide that has ended within the step.
-            let first = mine.began - mine.mass * (bodies[below as usize].was.x + belt_velocity);
-            let ends = !stood && (impulse.abs() <= static_limit || first * impulse > 0.0);
-            let (holds, needs) = if ends { (holds, impulse + first) } else { (static_limit, impulse) };
+            let began = mine.began - mine.mass * (bodies[below].was.x + belt_velocity);
+            let ends = !stood && (impulse.abs() <= static_limit || began * impulse > 0.0);
+            let (holds, needs) = if ends { (holds, impulse + began) } else { (static_limit, impulse) };
             // Or it slides back, for what is left of the step.
-            let sense = if ends { 1.0 - 2.0 * first.abs() / (needs.abs() + static_limit) } else { 1.0 };
-            for tight in self.tight[under].iter_mut().filter(|tight| tight.grip == Grip::Stick && tight.static_limit > 0.0) {
+            let sense = if ends { 1.0 - 2.0 * began.abs() / (needs.abs() + static_limit) } else { 1.0 };
+            for tight in tight {
+                if !tight.sticks() {
+                    continue;
+                }
                 let other = bodies[tight.below as usize].end.x + tight.belt_velocity;
                 tight.impulse = impulse * (tight.static_limit / static_limit);
                 if other != target {
-                    (tight.grip, changed) = (Grip::Slip((other - target).signum()), true);
+                    (tight.grip, changes) = (Grip::Slip((other - target).signum()), true);
                 } else if needs.abs() > holds * (1.0 + ROUNDING) {
-                    (tight.grip, tight.sense, changed) = (Grip::Slip(needs.signum()), sense, true);
-                    self.turned |= ends;
+                    (tight.grip, tight.sense, changes) = (Grip::Slip(needs.signum()), sense, true);
+                    *turned |= ends;
                 }
             }
+            changed.extend(changes.then_some(i as u32));
         }
-        changed
     }
+}
+
+fn alone(body: &Member, given: f64) -> Riders {
+    Riders { momentum: given, began: body.mass * body.before.x, mass: body.mass }
 }

@@ -41,6 +41,11 @@ pub(crate) struct FrictionContact {
 }
 
 impl FrictionContact {
+    #[inline(always)]
+    fn sticks(&self) -> bool {
+        self.grip == Grip::Stick && self.static_limit > 0.0
+    }
+
     /// Sets its load, N·s, of which it returns a part: its limits so far are coefficients.
     fn press(&mut self, impulse: f64, restitution: f64) {
         let rubs = impulse * (1.0 + restitution);
@@ -74,15 +79,25 @@ pub(crate) struct Friction {
     /// Whether a slide turns round within the step: the step does not show what friction did until then.
     pub turned: bool,
     pub relaxed: u64,
+    /// The bodies that a round solves, and those of which a grip has changed in it; by body, one of those that contacts join to it (a union–find
+    /// forest), and whether a grip has changed among them.
+    solved: Vec<u32>,
+    changed: Vec<u32>,
+    group: Vec<u32>,
+    stirred: Vec<bool>,
 }
 
 impl Friction {
     pub fn begin(&mut self, all: usize) {
-        for flags in [&mut self.is_awake, &mut self.is_gripped] {
+        for flags in [&mut self.is_awake, &mut self.is_gripped, &mut self.stirred] {
             refill(flags, all, false);
         }
-        for places in [&mut self.start, &mut self.end] {
+        for places in [&mut self.start, &mut self.end, &mut self.group] {
             places.resize(all, 0);
+        }
+        for bodies in [&mut self.solved, &mut self.changed] {
+            bodies.clear();
+            bodies.reserve(all);
         }
         self.loads.resize(all, 0.0);
         self.riders.resize(all, Riders::default());
@@ -149,7 +164,11 @@ impl Friction {
                 self.is_gripped[tight.below as usize] = true;
             }
         }
-        self.gripped.extend(self.awake.iter().filter(|i| self.is_gripped[**i as usize]));
+        for &i in &self.awake {
+            if self.is_gripped[i as usize] {
+                self.gripped.push(i);
+            }
+        }
     }
 
     #[inline(always)]
@@ -187,21 +206,21 @@ impl Friction {
             self.loads[i as usize] = held_up[i as usize];
         }
         self.load_loose(anchors);
-        for k in (0..self.gripped.len()).rev() {
-            let i = self.gripped[k] as usize;
-            let under = self.under(i);
+        let Self { start, end, tight, loads, gripped, .. } = self;
+        for i in gripped.iter().rev().map(|i| *i as usize) {
+            let (tight, body) = (&mut tight[start[i] as usize..end[i] as usize], &bodies[i]);
             if anchors.loose[i] {
-                self.tight[under].iter_mut().filter(|tight| tight.load == 0.0).for_each(|tight| tight.press(0.0, 0.0));
+                tight.iter_mut().filter(|tight| tight.load == 0.0).for_each(|tight| tight.press(0.0, 0.0));
                 continue;
             }
-            let load = self.loads[i] + bodies[i].mass * (bodies[i].free.y - bodies[i].end.y);
+            let load = loads[i] + body.mass * (body.free.y - body.end.y);
             let bears = |tight: &FrictionContact| tight.above == (load < 0.0);
-            let share = load.abs() / self.tight[under.clone()].iter().filter(|t| bears(t)).count() as f64;
-            for tight in &mut self.tight[under] {
+            let share = load.abs() / tight.iter().filter(|t| bears(t)).count() as f64;
+            for tight in tight {
                 let share = if bears(tight) { share } else { 0.0 };
                 tight.press(share, anchors.bounce[i]);
                 if !tight.above {
-                    self.loads[tight.below as usize] += share;
+                    loads[tight.below as usize] += share;
                 }
             }
         }
@@ -227,26 +246,22 @@ impl Friction {
 
     /// Mean velocities across: friction acts evenly over the step, or until the slide stops. Those of bodies that are `told` stay.
     pub fn spread_ways(&self, bodies: &mut Bodies, told: &[bool], dt: f64) {
-        for &i in &self.gripped {
-            let i = i as usize;
-            if told[i] {
-                continue;
-            }
-            let free = (bodies[i].to.x - bodies[i].from.x) / dt;
-            let mut mean = free + 0.5 * (bodies[i].end.x - bodies[i].free.x);
-            let strongest = self.tight[self.under(i)].iter().reduce(|a, b| if b.static_limit > a.static_limit { b } else { a });
+        for i in self.gripped.iter().map(|i| *i as usize).filter(|i| !told[*i]) {
+            let (body, under) = (&bodies[i], &self.tight[self.under(i)]);
+            let mut mean = (body.to.x - body.from.x) / dt + 0.5 * (body.end.x - body.free.x);
+            let strongest = under.iter().reduce(|a, b| if b.static_limit > a.static_limit { b } else { a });
             if let Some(tight) = strongest {
-                let below = tight.below as usize;
-                let (belt, began) = (tight.belt_velocity, bodies[below].was.x);
+                let (belt, below) = (tight.belt_velocity, &bodies[tight.below as usize]);
+                let began = below.was.x;
                 if tight.sense != 1.0 && tight.grip != Grip::Stick {
                     let part = 0.5 * (1.0 - tight.sense);
-                    let turns = began + part * (bodies[below].end.x - began) + belt;
-                    mean = 0.5 * (part * (bodies[i].before.x + turns) + (1.0 - part) * (turns + bodies[i].end.x));
-                } else if bodies[i].end.x == bodies[below].end.x + belt {
-                    let carried = bodies[below].mean.x + belt;
-                    let sliding = bodies[i].before.x - began - belt;
-                    let gained = bodies[i].free.x - bodies[i].before.x - (bodies[below].end.x - began);
-                    let kinetic_limit: f64 = self.tight[self.under(i)].iter().map(|t| t.kinetic_limit).sum();
+                    let turns = began + part * (below.end.x - began) + belt;
+                    mean = 0.5 * (part * (body.before.x + turns) + (1.0 - part) * (turns + body.end.x));
+                } else if body.end.x == below.end.x + belt {
+                    let carried = below.mean.x + belt;
+                    let sliding = body.before.x - began - belt;
+                    let gained = body.free.x - body.before.x - (below.end.x - began);
+                    let kinetic_limit: f64 = under.iter().map(|t| t.kinetic_limit).sum();
                     let until = time_to_stop(sliding, gained, kinetic_limit / self.riders[i].mass);
                     mean = carried + if tight.stood { 0.0 } else { 0.5 * sliding * until };
                 }
