@@ -7,7 +7,7 @@ use resultant::physics::{Aabb, BodyDef, BodyId, DVec2, Impulse, Material, Obstac
 
 /// Events that each body may add to those of its island, however the bodies share islands. The last events, and islands that grow and are
 /// advanced again, may exceed it.
-const EVENTS_OF_A_BODY: u64 = 2520;
+const EVENTS_OF_A_BODY: u64 = 2180;
 const EXCEEDED: u64 = 3;
 
 fn scene(name: &str) -> Scene {

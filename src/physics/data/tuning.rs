@@ -80,9 +80,9 @@ pub(crate) const EDGE_THICKNESS: f64 = 100.0;
 /// is off by more than a tenth; smaller: a light body that bounces in front of something heavy does so a hundred times before a train begins.
 pub(crate) const DAMPED_REACH: f64 = 0.1;
 
-/// Events of an island in a tick, for each of its bodies and for 104 more; an event counts once, and once for each body that it concerns.
+/// Events of an island in a tick, for each of its bodies and for 108 more; an event counts once, and once for each body that it concerns.
 /// Larger: the worst tick lasts longer; smaller: a crowd's step takes ticks into which fewer impacts fall.
-pub(crate) const EVENTS_OF_A_BODY: u64 = 24;
+pub(crate) const EVENTS_OF_A_BODY: u64 = 20;
 
 /// m. How far a cubic may be beside the flow that it follows, and how deep bodies meet. Larger: beside their ways; smaller: ways of more parts.
 pub(crate) const STRAY: f64 = 1e-5;

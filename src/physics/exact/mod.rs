@@ -75,7 +75,7 @@ impl Events {
     }
 
     pub(crate) fn budget(&self) -> u64 {
-        EVENTS_OF_A_BODY * (104 + self.movable as u64)
+        EVENTS_OF_A_BODY * (108 + self.movable as u64)
     }
 
     /// Where the only body of the island gets by the end of the tick, touching nothing.
