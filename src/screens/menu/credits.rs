@@ -11,7 +11,7 @@ const FONTS: [(&str, &str); 2] = [
     ("Hack, a typeface: C. Simpkins, DejaVu, Bitstream", "MIT; Bitstream Vera"),
 ];
 /// Crates, by their names before the colon, and their licences.
-const CRATES: [(&str, &str); 22] = [
+const CRATES: [(&str, &str); 23] = [
     ("epaint_default_fonts and ttf-parser: typefaces", "MIT or Apache 2.0"),
     ("fontdue: the glyphs of the typefaces", "MIT or Apache 2.0"),
     ("macroquad and miniquad: window, keys, drawing", "MIT or Apache 2.0"),
@@ -22,6 +22,7 @@ const CRATES: [(&str, &str); 22] = [
     ("serde: rows of files as structs", "MIT or Apache 2.0"),
     ("csv: the cells of files", "Unlicense or MIT"),
     ("rand and rand_pcg: random numbers", "MIT or Apache 2.0"),
+    ("strsim: the word that a misspelt one was meant to be", "MIT"),
     ("libm: sines and logarithms, the same everywhere", "MIT"),
     ("clap: the command line", "MIT or Apache 2.0"),
     ("sha2 and unicode-normalization: hashes, names", "MIT or Apache 2.0"),
