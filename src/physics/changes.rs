@@ -31,8 +31,7 @@ impl World {
 
     /// Lets a surface go on along its path, or wait where it is.
     pub fn set_running(&mut self, surface: usize, runs: bool) {
-        if self.state.surfaces[surface].runs != runs {
-            self.state.surfaces[surface].runs = runs;
+        if std::mem::replace(&mut self.state.surfaces[surface].runs, runs) != runs {
             self.disturb_around(surface);
         }
     }
@@ -53,8 +52,7 @@ impl World {
     /// Sets how fast the belt of a surface runs, m/s: see [`crate::physics::data::surface::SurfaceDef::belt`].
     pub fn set_belt(&mut self, surface: usize, speed: f64) {
         let speed = if speed.is_finite() { speed } else { 0.0 };
-        if self.state.surfaces[surface].belt != speed {
-            self.state.surfaces[surface].belt = speed;
+        if std::mem::replace(&mut self.state.surfaces[surface].belt, speed) != speed {
             self.space.motions.surfaces[surface].belt = speed;
             self.space.sleep.wake_all();
             self.disturb_around(surface);
@@ -63,8 +61,7 @@ impl World {
 
     /// Lets an air stream blow, or not.
     pub fn set_blowing(&mut self, stream: usize, blows: bool) {
-        if self.state.media.streams[stream].blows != blows {
-            self.state.media.streams[stream].blows = blows;
+        if std::mem::replace(&mut self.state.media.streams[stream].blows, blows) != blows {
             let zone = self.state.media.streams[stream].zone;
             self.disturb_in(&zone);
             self.feel_zones();

@@ -42,7 +42,6 @@ impl World {
         records.corners.append(&mut whole.corners);
     }
 
-    /// A tick, or a part of one.
     fn advance(&mut self, dt: f64) {
         let n = self.state.bodies.len();
         self.scratch.begin_tick();
