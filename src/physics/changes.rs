@@ -52,7 +52,8 @@ impl World {
     /// Sets how fast the belt of a surface runs, m/s: see [`crate::physics::data::surface::SurfaceDef::belt`].
     pub fn set_belt(&mut self, surface: usize, speed: f64) {
         let speed = if speed.is_finite() { speed } else { 0.0 };
-        if std::mem::replace(&mut self.state.surfaces[surface].belt, speed) != speed {
+        if self.state.surfaces[surface].belt != speed {
+            self.state.surfaces[surface].belt = speed;
             self.space.motions.surfaces[surface].belt = speed;
             self.space.sleep.wake_all();
             self.disturb_around(surface);

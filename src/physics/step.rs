@@ -92,8 +92,7 @@ impl World {
         records.guards.flows_cut_short += state.media.take_ended_early();
     }
 
-    /// # Panics
-    /// [`World::validate`] finds something.
+    /// Panics where [`World::validate`] finds something.
     #[cfg(all(feature = "validate", debug_assertions))]
     fn assert_valid(&mut self) {
         let mut checks = std::mem::take(&mut self.scratch.checks);

@@ -129,7 +129,9 @@ impl Contacts {
         let (distance, gap, reach) = if axis == 0 { (dx, gap_x, reach_x) } else { (dy, gap_y, reach_y) };
         let upper = distance >= 0.0;
         self.passing |= !live;
-        if surface && is_open(bodies, j, axis, !upper, gap, touch) {
+        let sides = bodies[j].sides;
+        if surface && sides != Sides::ALL && (!sides.face(axis, !upper) || gap < -touch) {
+            // Not solid on that side.
             return;
         }
         let (first, second) = if upper { (i as u32, j as u32) } else { (j as u32, i as u32) };
@@ -141,12 +143,6 @@ impl Contacts {
         let bound = if gap > touch { gap * per_second } else { 0.0 };
         list.push(CrowdContact { first, second, live, level, bound, reach });
     }
-}
-
-/// Whether a surface is not solid on its side along `axis` towards smaller or `larger` coordinates.
-fn is_open(bodies: &Bodies, surface: usize, axis: usize, larger: bool, gap: f64, touch: f64) -> bool {
-    let sides = bodies[surface].sides;
-    sides != Sides::ALL && (!sides.face(axis, larger) || gap < -touch)
 }
 
 #[inline(always)]

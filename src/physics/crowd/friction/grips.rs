@@ -144,7 +144,6 @@ impl Friction {
         most
     }
 
-    /// Top-down.
     fn gather(&mut self, bodies: &Bodies, given: &[f64], of: &[u32]) {
         let Self { start, end, tight, riders, .. } = self;
         for i in of.iter().map(|i| *i as usize) {

@@ -2,9 +2,8 @@
 //!
 //! A body's load is split equally among its tight supports; μ times the load is the limit of friction. [`grips`] finds which contacts stick.
 //!
-//! Only bodies that move, are pushed, or stand on such take part. A standing body holds all that slides on it, since its own limit is at least
-//! theirs together, if no surface is more slippery than the bodies and all bodies are alike. A moving surface or belt carries with the velocity of
-//! its belt.
+//! Only bodies that move, are pushed, or stand on such take part. A standing body holds all that slides on it, as its own limit is at least theirs
+//! together, if no surface is more slippery than the bodies and these are alike. A moving surface or belt carries at its belt's velocity.
 
 pub(crate) mod grips;
 
