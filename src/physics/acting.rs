@@ -1,5 +1,4 @@
-//! The action on each body as a tick begins, for the store: a constant force, or, near liquids and the borders of streams, the flight of the
-//! body if it touches nothing.
+//! What acts on each body as a tick begins: a constant force, or, near liquids and borders of streams, its flight if it touches nothing.
 
 use crate::physics::data::{Aabb, Pose, SLOP, refill};
 use crate::physics::flight::{liquid::flow, liquid::flow_side_by_side, steps::Course};

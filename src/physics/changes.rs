@@ -31,8 +31,7 @@ impl World {
 
     /// Lets a surface go on along its path, or wait where it is.
     pub fn set_running(&mut self, surface: usize, runs: bool) {
-        if self.state.surfaces[surface].runs != runs {
-            self.state.surfaces[surface].runs = runs;
+        if std::mem::replace(&mut self.state.surfaces[surface].runs, runs) != runs {
             self.disturb_around(surface);
         }
     }
@@ -63,8 +62,7 @@ impl World {
 
     /// Lets an air stream blow, or not.
     pub fn set_blowing(&mut self, stream: usize, blows: bool) {
-        if self.state.media.streams[stream].blows != blows {
-            self.state.media.streams[stream].blows = blows;
+        if std::mem::replace(&mut self.state.media.streams[stream].blows, blows) != blows {
             let zone = self.state.media.streams[stream].zone;
             self.disturb_in(&zone);
             self.feel_zones();

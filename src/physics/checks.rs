@@ -51,18 +51,6 @@ pub(crate) struct Ledger {
     pub joined: Option<u32>,
 }
 
-impl Ledger {
-    fn add(&mut self, of: &Ledger) {
-        self.gained += of.gained;
-        self.given += of.given;
-        self.scale += of.scale;
-        self.rounding += of.rounding;
-        self.push += of.push;
-        self.open |= of.open;
-        self.slack = self.slack.max(of.slack);
-    }
-}
-
 /// The leader whose ledger has the island of `leader`.
 fn joined_to(ledgers: &[Ledger], mut leader: u32) -> u32 {
     while let Some(next) = ledgers[leader as usize].joined {
@@ -76,7 +64,14 @@ pub(crate) fn join(ledgers: &mut [Ledger], a: u32, b: u32) -> u32 {
     let (a, b) = (joined_to(ledgers, a), joined_to(ledgers, b));
     if a != b {
         let gone = std::mem::replace(&mut ledgers[b as usize], Ledger { joined: Some(a), ..Ledger::default() });
-        ledgers[a as usize].add(&gone);
+        let both = &mut ledgers[a as usize];
+        both.gained += gone.gained;
+        both.given += gone.given;
+        both.scale += gone.scale;
+        both.rounding += gone.rounding;
+        both.push += gone.push;
+        both.open |= gone.open;
+        both.slack = both.slack.max(gone.slack);
     }
     a
 }

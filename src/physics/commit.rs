@@ -23,7 +23,6 @@ impl World {
         self.take_contacts();
     }
 
-    /// Takes over poses and accelerations, and counts the bodies of each method.
     fn commit_bodies(&mut self) {
         let Self { state, plan, space, records, .. } = self;
         let State { bodies, known, media, forces, .. } = state;
@@ -116,9 +115,8 @@ impl World {
                 records.events.push(Event::Impact { a, b, point, normal, speed });
             }
         }
-        for &(_, body, by, force) in &scratch.crushed {
-            records.events.push(Event::Crushed { body: BodyId(body), by, force });
-        }
+        let crushed = |&(_, body, by, force): &(u32, u32, u32, f64)| Event::Crushed { body: BodyId(body), by, force };
+        records.events.extend(scratch.crushed.iter().map(crushed));
     }
 
     /// Puts the contacts that this tick has found in place of those known of the same bodies. Sleeping bodies keep theirs.
@@ -192,8 +190,7 @@ impl State {
     }
 }
 
-/// Sorts contacts by their ends, and makes one of those at the same face: the crowd step lists push and friction apart. The key is total: how a
-/// sort treats equals depends on their number in the world.
+/// Sorts contacts, and makes one of those at a face: crowds list push and friction apart. The key is total, as sorts treat equals by their number.
 fn put_in_order(contacts: &mut Vec<Contact>) {
     if contacts.is_sorted_by(|a, b| (a.ends(), a.axis) < (b.ends(), b.axis)) {
         return;

@@ -13,7 +13,7 @@
 
 use crate::physics::crowd::bodies::{Bodies, Frame, Origin};
 use crate::physics::crowd::{CrowdImpact, dense::CrowdEnd, dense::StepSize};
-use crate::physics::data::{Body, NONE, Part, called, tuning::MANY};
+use crate::physics::data::{NONE, Part, called, tuning::MANY};
 use crate::physics::exact::{ExactEnd, Scene, item::Item};
 use crate::physics::store::{Island, Method, Motions, SurfaceMotion};
 use crate::physics::{flight::liquid::flow_through, flight::steps::Course, forces::ForceKind, scratch::Scratch, scratch::Stop};
@@ -169,11 +169,6 @@ impl Tick<'_> {
             && !scratch.surfaces.iter().any(carries)
     }
 
-    /// Whether a crowd step lists the contacts of an island of this many bodies: always if they are not many, else if forces were asked for.
-    fn lists(&self, members: usize) -> bool {
-        self.lists || (members <= MANY && !self.scene.plan.dense)
-    }
-
     /// Whether an island of this many bodies is a crowd: then it falls asleep as the crowd step leaves it.
     fn leaves_for_good(&self, members: usize) -> bool {
         members > MOST_BY_EVENTS || self.scene.plan.dense
@@ -220,7 +215,12 @@ impl Space {
             self.islands.find(&self.motions, &self.broad_phase, &self.moving);
             let minds = |tick: &Tick<'_>| self.sleep.looked_at.iter().any(|body| tick.minds(&self.motions, *body as usize));
             if !again && self.islands.are_alone() && (tick.bare || !minds(tick)) {
-                return self.let_sleepers_stay(&tick.state.bodies);
+                // Nobody is near anything: those that are awake fly.
+                let Self { motions, sleep, .. } = self;
+                for i in sleep.looked_at.iter().map(|i| *i as usize).filter(|i| sleep.asleep[*i]) {
+                    motions.bodies[i].end = (tick.state.bodies[i].position, DVec2::ZERO);
+                }
+                return;
             }
             for k in 0..self.islands.len() {
                 if !again || self.begin_again(k, tick) {
@@ -231,19 +231,13 @@ impl Space {
                 break;
             }
             again = true;
-            self.grow(&tick.state.bodies, dt);
+            self.broad_phase.update(&tick.state.bodies, &self.motions, &self.grown, dt);
+            self.grown.clear();
+            self.rouse_reached();
         }
         let Self { crowd, impacts, motions, .. } = self;
         crowd.dense.report.list.retain(|contact| contact.solved == motions.bodies[contact.a as usize].solved);
         impacts.retain(|hit| hit.solved == motions.bodies[hit.a as usize].solved);
-    }
-
-    /// Nobody is near anything: those that are awake fly.
-    fn let_sleepers_stay(&mut self, bodies: &[Body]) {
-        let Self { motions, sleep, .. } = self;
-        for i in sleep.looked_at.iter().map(|i| *i as usize).filter(|i| sleep.asleep[*i]) {
-            motions.bodies[i].end = (bodies[i].position, DVec2::ZERO);
-        }
     }
 
     fn solve(&mut self, k: usize, dt: f64, tick: &mut Tick<'_>) {
@@ -290,15 +284,15 @@ impl Space {
             Some(pull) => (Frame::of(pull), pull.abs().max_element()),
             None => (usual, state.media.gravity.abs()),
         };
-        let height = |i: u32| frame.turn(state.bodies[i as usize].position).y;
         if frame != usual {
-            islands.turn(k, height);
+            islands.turn(k, |i| frame.turn(state.bodies[i as usize].position).y);
         }
         let islands = &*islands;
         let island = if frame == usual { islands.get(k) } else { islands.turned() };
         let last = round >= MOST_CROWD_GROWTHS;
         let size = StepSize { dt, rest_speed: state.rest_speed, gravity, last };
-        crowd.dense.report.on = tick.lists(island.members.len());
+        // Contacts are listed where forces were asked for, and always of few bodies.
+        crowd.dense.report.on = tick.lists || (island.members.len() <= MANY && !tick.scene.plan.dense);
         for _ in 0..=moving.len() {
             let from = Origin { bodies, surfaces, motions, frame, bounces };
             let meets_more = |bodies: &Bodies, k: usize| {
@@ -332,8 +326,8 @@ impl Space {
         for i in island.members.iter().map(|i| *i as usize) {
             motions.bodies[i].end = (state.bodies[i].position, DVec2::ZERO);
         }
-        for k in 0..crowd.bodies.len() {
-            motions.bodies[crowd.bodies.ids[k] as usize].end = crowd.bodies.end(k, frame);
+        for (i, member) in crowd.bodies.ids.iter().zip(crowd.bodies.all()) {
+            motions.bodies[*i as usize].end = (frame.turn(member.to), frame.turn(member.end));
         }
         // What falls asleep is read later: its contacts are listed now.
         let may_sleep = tick.scene.plan.direct && tick.leaves_for_good(island.members.len());
@@ -370,14 +364,6 @@ impl Space {
             tick.forget(motions, i);
         }
         true
-    }
-
-    /// Finds the bodies that those may meet that go further than was looked for.
-    fn grow(&mut self, bodies: &[Body], dt: f64) {
-        let Self { motions, broad_phase, grown, .. } = self;
-        broad_phase.update(bodies, motions, grown, dt);
-        grown.clear();
-        self.rouse_reached();
     }
 }
 

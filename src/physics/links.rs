@@ -1,9 +1,7 @@
-//! Links in a world. Linked bodies near nothing fly together; near anything they go from event to event ([`crate::physics::exact`]). A world with stiff
-//! links takes a tick in parts: [`crate::physics::forces::Links::parts`].
+//! Links in a world. Linked bodies near nothing fly together, others go from event to event. A tick goes in the parts that stiff links need.
 
-use crate::physics::data::{
-    Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Part, Pose, SLOP, called, domain::DefError, on_axis,
-};
+use crate::physics::data::{Aabb, BodyId, Contact, LinkDef, LinkEnd, Obstacle, Part, Pose, SLOP, called};
+use crate::physics::data::{domain::DefError, on_axis};
 use crate::physics::flight::linked::{Linked, LinkedBodies, little};
 use crate::physics::forces::{Force, ForceManager, Source, link::Link};
 use crate::physics::islands::{Members, Tick, Verdict};

@@ -88,8 +88,7 @@ impl Scratch {
         }
     }
 
-    /// Fills the island of the method of events with `members` (in any order) and `surfaces` (some maybe twice), the streams near them and the
-    /// contacts known; `searched` says where others were looked for.
+    /// Fills the island with `members` (in any order), `surfaces` (some maybe twice), and what is near; others were looked for in `searched`.
     pub fn gather(&mut self, state: &State, scene: &Scene, searched: impl Fn(u32) -> Aabb) {
         let n = state.bodies.len();
         self.index(state);
@@ -129,13 +128,10 @@ impl Scratch {
                 }
             }
         }
-        for &s in &*surfaces {
-            let surface = &state.surfaces[s as usize];
-            if !surface.present {
-                continue;
-            }
+        let present = |s: &&u32| state.surfaces[**s as usize].present;
+        for &s in surfaces.iter().filter(present) {
             local[n + s as usize] = events.items.len() as u32;
-            let mut item = Item::surface(s, surface);
+            let mut item = Item::surface(s, &state.surfaces[s as usize]);
             // An earlier solution of the tick may have stopped it.
             item.stops_at = first_stop(stops, s);
             scene.set_on_path(&mut item, 0.0);
@@ -180,9 +176,8 @@ impl Scratch {
             return false;
         }
         let leader = members.first().copied().unwrap_or(NONE);
-        contacts.extend(
-            known().zip(&resting.contacts).map(|(known, solved)| (leader, Contact { lo: known.lo, hi: known.hi, ..*solved })),
-        );
+        let solved = |(known, solved): (&Contact, &Contact)| (leader, Contact { lo: known.lo, hi: known.hi, ..*solved });
+        contacts.extend(known().zip(&resting.contacts).map(solved));
         for i in members.iter().map(|i| *i as usize) {
             let motion = &mut motions.bodies[i];
             motion.end = (state.bodies[i].position, DVec2::ZERO);
@@ -212,17 +207,13 @@ impl Scratch {
             (motion.acceleration, motion.known) = (item.solved + DVec2::ZERO, item.known);
         }
         tried.extend(events.link_numbers.iter().zip(&events.links).map(|(number, link)| (*number, link.broken)));
-        for &hit in &events.hits {
-            happened.push((leader, happened.len() as u32, hit));
-        }
+        let from = happened.len() as u32;
+        happened.extend((from..).zip(&events.hits).map(|(k, hit)| (leader, k, *hit)));
         for &(body, surface, speed) in &events.squeezed {
             let (of, by) = (&items[body as usize], &items[surface as usize]);
             crushed.push((leader, of.id, by.id, of.body.crushing_force(speed)));
         }
-        for item in &items[*movable..] {
-            if item.stops_at.is_finite() {
-                stops.push(Stop { leader, surface: item.id, at: item.stops_at });
-            }
-        }
+        let stopped = items[*movable..].iter().filter(|item| item.stops_at.is_finite());
+        stops.extend(stopped.map(|item| Stop { leader, surface: item.id, at: item.stops_at }));
     }
 }

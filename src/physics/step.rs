@@ -42,7 +42,6 @@ impl World {
         records.corners.append(&mut whole.corners);
     }
 
-    /// A tick, or a part of one.
     fn advance(&mut self, dt: f64) {
         let n = self.state.bodies.len();
         self.scratch.begin_tick();
@@ -93,8 +92,7 @@ impl World {
         records.guards.flows_cut_short += state.media.take_ended_early();
     }
 
-    /// # Panics
-    /// [`World::validate`] finds something.
+    /// Panics where [`World::validate`] finds something.
     #[cfg(all(feature = "validate", debug_assertions))]
     fn assert_valid(&mut self) {
         let mut checks = std::mem::take(&mut self.scratch.checks);

@@ -1,5 +1,4 @@
-//! Laws that hold after every tick in any world. Each step of a build with debug assertions checks them, so every test does; the fuzz of levels
-//! does; the game never does.
+//! Laws that hold after every tick in any world: each step of a build with debug assertions checks them, and the fuzz of levels; no game does.
 
 use crate::physics::checks::{Checks, Thing, rounding};
 use crate::physics::data::{Aabb, BodyId, SLOP, Sides};
@@ -19,17 +18,15 @@ impl World {
     /// Checks all that has to hold between two ticks, before anything is changed from outside:
     ///
     /// - every number is finite, and nothing is outside the level's edges;
-    /// - no box overlaps another one by more than it did a tick ago (boxes that begin in each other may stay so), and no box has passed through
-    ///   another one;
+    /// - no box overlaps another one by more than a tick ago (those that begin in each other may stay so), and none has passed through another one;
     /// - bodies whose paths crossed shared an island;
     /// - no island has gained more energy than its forces gave it;
     /// - the forces on each body sum to m·a;
     /// - the ends of each contact touch, and its friction stays inside the cone.
     ///
-    /// Bodies of a crowd step and bodies in or near a liquid may overlap by 1e-7 m. The check skips the depth of crowds in moving surfaces. It
-    /// skips the faces of contacts with moving surfaces and of crowds as well: those are means over the tick, and their ends may have parted since.
-    ///
-    /// [`World::step`] calls this where debug assertions are on. In crowds each tick checks the forces of some bodies, so that all get their turn.
+    /// Bodies of a crowd step and bodies in or near a liquid may overlap by 1e-7 m. Not checked are the depth of crowds in moving surfaces, and the
+    /// faces of contacts with moving surfaces and of crowds: those are means over the tick, and their ends may have parted since. Of many bodies
+    /// each tick checks the forces of some, so that all get their turn.
     ///
     /// # Errors
     /// A sentence that names the law, the bodies and the numbers.
@@ -37,7 +34,6 @@ impl World {
         self.validate_with(&mut Checks::default())
     }
 
-    /// The same with buffers.
     pub(crate) fn validate_with(&self, checks: &mut Checks) -> Result<(), String> {
         self.validate_numbers()?;
         self.look_at_bodies(checks);
@@ -103,7 +99,6 @@ impl World {
         Ok(())
     }
 
-    /// No two boxes overlap, none has passed through another one, and bodies whose paths crossed shared an island.
     fn validate_places(&self, checks: &Checks) -> Result<(), String> {
         let Checks { bodies, order, .. } = checks;
         for (k, &i) in order.iter().enumerate() {
@@ -163,7 +158,6 @@ impl World {
         Ok(())
     }
 
-    /// Whether a crowd step took a body.
     fn was_dense(&self, body: u32) -> bool {
         self.space.motions.bodies[body as usize].method == Method::Crowd
     }
@@ -172,11 +166,11 @@ impl World {
         for contact in &self.state.contacts {
             let (lo, hi) = (self.state.bounds_of(contact.lo), self.state.bounds_of(contact.hi));
             let (axis, rounding) = (contact.axis, rounding(&lo).min(rounding(&hi)));
-            let body = &self.state.bodies[contact.ends().0 as usize];
-            let surface = (contact.ends().1 as usize).checked_sub(self.state.bodies.len());
+            let (first, second) = contact.ends();
+            let body = &self.state.bodies[first as usize];
+            let surface = (second as usize).checked_sub(self.state.bodies.len());
             let on_mover = surface.is_some_and(|s| !self.state.surfaces[s].def.path.is_still());
             // The contacts of the crowd step stay listed while their bodies sleep.
-            let first = contact.ends().0;
             let is_dense = self.was_dense(first) || self.space.sleep.asleep[first as usize] && !self.state.known[first as usize];
             if on_mover || is_dense {
                 // The crowd step lists means over the tick. It lists the impact in a push as an impulse, but not the friction during one.
@@ -209,8 +203,7 @@ fn validate_pair(a: &Thing, b: &Thing) -> Result<(), String> {
     if a.dense && b.surface && !b.straight {
         return Ok(());
     }
-    // Each of them may be off by what is beyond the gap. What was deeper in each other than 1e-5 m has begun so: it may get deeper where the
-    // shorter way out is another one.
+    // Each may be off by what is beyond the gap. What was deeper than 1e-5 m has begun so: it may get deeper where the shorter way out changes.
     let most = a.depth + b.depth - OVERLAP;
     if now > most + rounding && now > before + rounding && before <= 1e-5 {
         return Err(format!("{} at {} is {now} m in {} at {:?}", a.name(), a.now.centre(), b.name(), b.now));

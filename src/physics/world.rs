@@ -1,7 +1,5 @@
-use crate::physics::data::{
-    Aabb, Body, BodyDef, BodyId, Contact, Impulse, Material, Obstacle, Plan, Surface, SurfaceDef, WorldDef,
-};
-use crate::physics::data::{domain::DefError, on_axis, tuning::EDGE_THICKNESS};
+use crate::physics::data::{Aabb, Body, BodyDef, BodyId, Contact, Impulse, Material, Obstacle, Plan, Surface};
+use crate::physics::data::{SurfaceDef, WorldDef, domain::DefError, on_axis, tuning::EDGE_THICKNESS};
 use crate::physics::forces::{Force, ForceKind, ForceManager, Links, Media, Source};
 use crate::physics::state::{Event, Guards, Methods, Records, State};
 use crate::physics::{scratch::Scratch, space::Space};
@@ -173,13 +171,12 @@ impl World {
 
     /// The same into a list that is there already. Does not ask the next tick for forces.
     pub(crate) fn list_forces(&self, id: BodyId, forces: &mut ForceManager) {
-        let (i, body) = (id.index(), self.body(id));
-        let state = &self.state;
+        let (state, body) = (&self.state, self.body(id));
         forces.clear();
-        let list = |source, kind, vector| Force { kind, source, vector, point: body.position };
-        forces.list(list(Source::Gravity, ForceKind::Weight, state.media.weight(body)));
-        let pushes = &state.forces[i];
-        pushes.forces().iter().for_each(|force| forces.list(Force { point: body.position, ..*force }));
+        let (vector, point) = (state.media.weight(body), body.position);
+        forces.list(Force { kind: ForceKind::Weight, source: Source::Gravity, vector, point });
+        let pushes = &state.forces[id.index()];
+        pushes.forces().iter().for_each(|force| forces.list(Force { point, ..*force }));
         let law = state.media.law(body, pushes.push(), 0.0);
         state.media.list(body, &law, pushes.push(), forces);
         self.list_links(id, forces);

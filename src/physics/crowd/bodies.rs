@@ -2,7 +2,7 @@
 //!
 //! A step gathers them from the world's state, works on them alone, and leaves their ends in them: neighbours in a pile are neighbours in memory.
 
-use crate::physics::data::{Aabb, Body, Coefficients, Pose, Sides, Surface};
+use crate::physics::data::{Aabb, Body, Coefficients, Sides, Surface};
 use crate::physics::store::{Island, MARGIN, Motions, SurfaceMotion};
 use crate::physics::{crowd::ACROSS, forces::air::Drag};
 use glam::DVec2;
@@ -107,8 +107,7 @@ impl Bodies {
         self.count = 0;
     }
 
-    /// Gathers a part of an island; settled members near it stand behind the bodies, with the surfaces. `whole` is the number of all members, and
-    /// the largest coordinate that settled ones sweep, m.
+    /// Gathers a part of an island, settled members near it behind the bodies, with the surfaces. `whole`: see the last two fields.
     pub fn gather(&mut self, from: Origin<'_>, island: Island<'_>, whole: (usize, f64), is_settled: impl Fn(u32) -> bool) {
         let (n, all) = (island.members.len(), from.motions.len());
         self.ids.clear();
@@ -134,10 +133,6 @@ impl Bodies {
             self.things.iter_mut().for_each(|thing| thing.traits.restitution = 0.0);
         }
         self.alike = self.all().iter().all(|body| body.traits.rubs_like(&self.things[0].traits));
-    }
-
-    pub fn end(&self, k: usize, frame: Frame) -> Pose {
-        (frame.turn(self[k].to), frame.turn(self[k].end))
     }
 
     pub fn swept(&self, k: usize, frame: Frame) -> Aabb {
@@ -210,11 +205,6 @@ impl Bodies {
 
     pub fn fall_freely(&mut self) {
         self.things.iter_mut().filter(|thing| thing.mass.is_finite() || thing.settled).for_each(|body| body.to = body.flown);
-    }
-
-    /// Contacts are found as if settled bodies fell freely, too; then they stand.
-    pub fn hold_settled(&mut self) {
-        self.things[self.count..].iter_mut().filter(|thing| thing.settled).for_each(|thing| thing.to = thing.from);
     }
 }
 

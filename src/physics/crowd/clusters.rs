@@ -50,12 +50,6 @@ pub(crate) struct Pool<Before> {
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Pooled {
-    pub any: bool,
-    pub stuck: bool,
-}
-
-#[derive(Clone, Copy, Debug, Default)]
 struct ClusterMember {
     root: u32,
     next: u32,
@@ -164,14 +158,14 @@ impl Clusters {
         self.joined.push(i as u32);
     }
 
-    /// Merges pairs until none of the contacts closes by more than its bound; `bring` lets a pair join, or refuses. Only live ones count, for places
-    /// all of them.
+    /// Merges pairs until no live contact, for places none at all, closes by more than its bound; `bring` lets a pair join, or refuses.
+    /// Returns whether any closed, and whether some could not be merged.
     pub fn pool(
         &mut self,
         pool: Pool<impl Fn(usize) -> f64>,
         contacts: [&[CrowdContact]; 2],
         mut bring: impl FnMut(&mut Self, &CrowdContact) -> bool,
-    ) -> Pooled {
+    ) -> (bool, bool) {
         self.clear();
         let (mut any, mut stuck, mut first) = (false, false, true);
         loop {
@@ -190,7 +184,7 @@ impl Clusters {
                 }
             }
             if !merged {
-                return Pooled { any, stuck };
+                return (any, stuck);
             }
             first = false;
         }

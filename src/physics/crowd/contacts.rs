@@ -65,12 +65,6 @@ struct ContactKind {
     level: bool,
 }
 
-impl ContactKind {
-    const fn of(axis: usize, live: bool, level: bool) -> Self {
-        Self { axis, live, level }
-    }
-}
-
 impl Contacts {
     #[inline(always)]
     pub fn under(&self, i: usize) -> std::ops::Range<usize> {
@@ -85,18 +79,11 @@ impl Contacts {
         self.stacks.iter_mut().chain(&mut self.sides).chain(&mut self.ceilings)
     }
 
-    fn clear(&mut self, bodies: &Bodies) {
-        self.stacks.clear();
-        self.sides.clear();
-        self.ceilings.clear();
-        self.passing = false;
-        self.carried = false;
+    pub fn find(&mut self, bodies: &mut Bodies, group: Group<'_>, dt: f64) {
+        [&mut self.stacks, &mut self.sides, &mut self.ceilings].into_iter().for_each(Vec::clear);
+        (self.passing, self.carried) = (false, false);
         self.tolerances = Tolerances::of(bodies);
         self.ranges.resize(bodies.len(), [0; 2]);
-    }
-
-    pub fn find(&mut self, bodies: &mut Bodies, group: Group<'_>, dt: f64) {
-        self.clear(bodies);
         let per_second = 1.0 / dt;
         for i in 0..bodies.len() {
             let begin = self.stacks.len() as u32;
@@ -105,11 +92,12 @@ impl Contacts {
             }
             self.ranges[i] = [begin, self.stacks.len() as u32];
         }
-        bodies.hold_settled();
+        // They are found as if settled bodies fell freely, too; then these stand.
+        let n = bodies.len();
+        bodies.things[n..].iter_mut().filter(|thing| thing.settled).for_each(|thing| thing.to = thing.from);
     }
 
-    /// The number of pairs that are level with faces, were expected to come over them and do not, where that holds a body along both axes in the
-    /// air. Found again, their contacts are those of any corner.
+    /// The number of level pairs that do not come over their faces as expected, and hold a body along both axes in the air: now corners like any.
     pub fn miss(&mut self, bodies: &Bodies) -> usize {
         let (known, touch) = (self.missed.len(), self.tolerances.touch);
         let misses = |contact: &&CrowdContact, axis: usize| {
@@ -141,7 +129,9 @@ impl Contacts {
         let (distance, gap, reach) = if axis == 0 { (dx, gap_x, reach_x) } else { (dy, gap_y, reach_y) };
         let upper = distance >= 0.0;
         self.passing |= !live;
-        if surface && is_open(bodies, j, axis, !upper, gap, touch) {
+        let sides = bodies[j].sides;
+        if surface && sides != Sides::ALL && (!sides.face(axis, !upper) || gap < -touch) {
+            // Not solid on that side.
             return;
         }
         let (first, second) = if upper { (i as u32, j as u32) } else { (j as u32, i as u32) };
@@ -155,12 +145,6 @@ impl Contacts {
     }
 }
 
-/// Whether a surface is not solid on its side along `axis` towards smaller or `larger` coordinates.
-fn is_open(bodies: &Bodies, surface: usize, axis: usize, larger: bool, gap: f64, touch: f64) -> bool {
-    let sides = bodies[surface].sides;
-    sides != Sides::ALL && (!sides.face(axis, larger) || gap < -touch)
-}
-
 #[inline(always)]
 fn kind(
     bodies: &Bodies,
@@ -171,10 +155,10 @@ fn kind(
 ) -> ContactKind {
     // Most pairs rest on each other or stand side by side.
     if gap_x < -touch && gap_y <= touch {
-        return ContactKind::of(usize::from(gap_y >= -touch || gap_x <= gap_y), true, false);
+        return ContactKind { axis: usize::from(gap_y >= -touch || gap_x <= gap_y), live: true, level: false };
     }
     if gap_y < -touch && gap_x <= touch {
-        return ContactKind::of(0, true, false);
+        return ContactKind { axis: 0, live: true, level: false };
     }
     // How far they close along each axis within the step.
     let side = DVec2::new(if dx < 0.0 { -1.0 } else { 1.0 }, if dy < 0.0 { -1.0 } else { 1.0 });
@@ -183,11 +167,11 @@ fn kind(
     if gap_x < -touch {
         // Over each other and apart: passes only if it has left sideways before it arrives.
         let leaves = gap_y < close_y && gap_x - close_x * (gap_y / close_y) > 0.0;
-        return ContactKind::of(1, !leaves, false);
+        return ContactKind { axis: 1, live: !leaves, level: false };
     }
     if gap_y < -touch {
         let leaves = gap_x < close_x && gap_y - close_y * (gap_x / close_x) > 0.0;
-        return ContactKind::of(0, !leaves, false);
+        return ContactKind { axis: 0, live: !leaves, level: false };
     }
     if !misses {
         let start = (a.before - b.before) * dt * side;
@@ -203,17 +187,16 @@ fn level([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2], start: [f64; 2]
     let level_x = gap_x <= touch && start[0] <= touch;
     let level_y = gap_y <= touch && start[1] <= touch;
     if level_y && !(level_x && close_x <= touch) {
-        return Some(ContactKind::of(1, close_x > gap_x, true));
+        return Some(ContactKind { axis: 1, live: close_x > gap_x, level: true });
     }
-    level_x.then_some(ContactKind::of(0, close_y > gap_y, true))
+    level_x.then_some(ContactKind { axis: 0, live: close_y > gap_y, level: true })
 }
 
 fn corner([gap_x, gap_y]: [f64; 2], [close_x, close_y]: [f64; 2]) -> ContactKind {
     let enters = |gap: f64, close: f64| if close > 0.0 { (gap + CATCH * close) / close } else { f64::INFINITY };
     let (enter_x, enter_y) = (enters(gap_x, close_x), enters(gap_y, close_y));
     let by_x = if enter_x.is_infinite() && enter_y.is_infinite() { gap_x >= gap_y } else { enter_x >= enter_y };
-    let live = enter_x <= 1.0 && enter_y <= 1.0;
-    ContactKind::of(usize::from(!by_x), live, false)
+    ContactKind { axis: usize::from(!by_x), live: enter_x <= 1.0 && enter_y <= 1.0, level: false }
 }
 
 /// Which impacts bounce: those that leave faster than `rest_speed`, m/s, unless they are elastic, and come back after the step of `dt` s.
@@ -238,8 +221,7 @@ impl Bounces {
         (self.leaves(restitution, speed, pull) > 0.0).then_some(restitution)
     }
 
-    /// The speed with which a pair closes along an axis when it touches, m/s, and the pull of one towards the other, m/s². A second one that
-    /// `rests` does not fall along with the first.
+    /// The speed with which a pair closes as it touches, m/s, and the pull between them, m/s². A second one that `rests` does not fall along.
     pub fn closing(self, [a, b]: [&Member; 2], axis: usize, rests: bool) -> (f64, f64) {
         let side = if b.from[axis] < a.from[axis] { -1.0 } else { 1.0 };
         let gap = ((b.from - a.from).abs() - a.half - b.half)[axis].max(0.0);

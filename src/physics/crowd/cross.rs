@@ -155,7 +155,7 @@ impl Cross<'_> {
         let brings = |i: usize| if i < n { node(bodies, friction, i, (told[i], *dt, rubs)) } else { Some(Node::default()) };
         let pool = Pool { before: |i| bodies[i].mean.x, slack: contacts.tolerances.hair / *dt, places: false };
         let lists = [&contacts.sides[..], &[]];
-        let pooled = clusters.pool(pool, lists, |clusters, side| {
+        let (any, _) = clusters.pool(pool, lists, |clusters, side| {
             let (a, b) = (side.first as usize, side.second as usize);
             let (Some(of_a), Some(of_b)) = (brings(a), brings(b)) else { return false };
             let fixed = |i: usize| (i >= n).then(|| ClusterMotion { velocity: bodies[i].end.x, mean: bodies[i].mean.x });
@@ -166,7 +166,7 @@ impl Cross<'_> {
             clusters.join(b, fixed(b), of_b);
             true
         });
-        if bodies.bounces && pooled.any {
+        if bodies.bounces && any {
             // A body that carries others does not bounce: friction alone would have to take them along.
             let alone = |i: usize| i >= n || !friction.carries(bodies, i);
             clusters.hit(lists, |side| {
@@ -174,7 +174,7 @@ impl Cross<'_> {
                 anchors.bounces.of(bodies, side, ACROSS).map(|restitution| part * restitution)
             });
         }
-        pooled.any
+        any
     }
 
     fn pass_impulses(&mut self, bodies: &mut Bodies, rubs: bool) -> bool {
@@ -232,12 +232,11 @@ impl Cross<'_> {
     /// Parts pairs side by side that still close, in turns with the friction under them. Returns whether nothing closes any more.
     pub(crate) fn part_closing(&mut self, bodies: &mut Bodies) -> bool {
         let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
-        let side_bounces = |bodies: &Bodies, side: &CrowdContact| self.anchors.bounces.of(bodies, side, ACROSS).is_some();
         let Pushes { parting, .. } = &mut *self.pushes;
         let touches = |bodies: &Bodies, side: &CrowdContact| {
             let (a, b) = (side.first as usize, side.second as usize);
             // What arrives just as the step ends bounces in the next.
-            let arrives = |side| bodies.bounces && side_bounces(bodies, side);
+            let arrives = |side| bodies.bounces && self.anchors.bounces.of(bodies, side, ACROSS).is_some();
             side.live && bodies[a].mean.x - bodies[b].mean.x - side.bound >= -slack && !arrives(side)
         };
         let closes = |bodies: &Bodies, side: &CrowdContact| {

@@ -111,16 +111,16 @@ impl Dense {
             }
         }
         self.list_hits(bodies);
-        let mended = place::part(bodies, &self.contacts, &mut self.clusters, size.dt);
-        let leaves = mended.doubt && !size.last && !(0..bodies.len()).all(|i| bodies.is_swept(i));
+        let (mended, doubt) = place::part(bodies, &self.contacts, &mut self.clusters, size.dt);
+        let leaves = doubt && !size.last && !(0..bodies.len()).all(|i| bodies.is_swept(i));
         if leaves && self.grow(bodies, group, meets_more) {
             return CrowdEnd::Grown;
         }
-        if mended.doubt || !inside {
+        if doubt || !inside {
             self.guards.put_back += place::take_back(bodies, &self.contacts, &mut self.put_back);
         }
         self.bounce(bodies);
-        self.restrain(bodies, mended.any || !inside);
+        self.restrain(bodies, mended || !inside);
         if self.contacts.carried {
             self.find_squeezed(bodies);
         }

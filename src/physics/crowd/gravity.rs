@@ -54,8 +54,7 @@ pub(crate) struct Along<'a> {
 
 impl Along<'_> {
     pub fn solve(&mut self, bodies: &mut Bodies) {
-        let Self { contacts, anchors, dt, .. } = self;
-        let dt = *dt;
+        let (contacts, anchors, dt) = (self.contacts, &mut *self.anchors, self.dt);
         let mut loose = !contacts.ceilings.is_empty();
         anchors.edges.clear();
         anchors.hits.clear();
@@ -64,9 +63,8 @@ impl Along<'_> {
         for i in 0..bodies.len() {
             let mut velocity = bodies[i].free.y;
             let mut mean = (bodies[i].to.y - bodies[i].from.y) * per_second;
-            if anchors.any_hung
-                && let Some(wall) = anchors.hung[i]
-            {
+            let hung = if anchors.any_hung { anchors.hung[i] } else { None };
+            if let Some(wall) = hung {
                 (velocity, mean) = (wall, wall);
             }
             let (mut bound, mut over, mut support, mut gap) = (f64::INFINITY, f64::INFINITY, i, 0.0);
@@ -81,8 +79,7 @@ impl Along<'_> {
                     over = over.min(limit);
                 }
             }
-            let hung = anchors.any_hung && anchors.hung[i].is_some();
-            (anchors.held[i], anchors.rests[i], anchors.loose[i]) = (hung, hung, false);
+            (anchors.held[i], anchors.rests[i], anchors.loose[i]) = (hung.is_some(), hung.is_some(), false);
             (anchors.lands[i], anchors.bounce[i]) = (NONE, 0.0);
             // On a surface that speeds up or slows down a body stays while it presses, though its velocity is one step late.
             let presses = contacts.carried && gap == 0.0 && bound < f64::INFINITY && velocity >= bodies[support].end.y;
@@ -176,8 +173,7 @@ impl Contacts {
         contact.live && (bodies[first].mean.y - bodies[second].mean.y - contact.bound).abs() <= slack
     }
 
-    /// Adds up loads top-down, N·s: each body hands its own on in equal shares to the supports that it presses and that the ground carries, and
-    /// each share to `give`. Hanging bodies hand on nothing.
+    /// Adds up loads top-down, N·s: each body but hanging ones hands its own on, in equal shares, to the held supports that it presses, and to `give`.
     pub fn hand_down(&self, bodies: &Bodies, anchors: &Anchors, loads: &mut [f64], mut give: impl FnMut(u32, u32, f64)) {
         let slack = self.tolerances.hair / anchors.bounces.dt;
         for i in (0..bodies.len()).rev() {

@@ -24,8 +24,7 @@ use glam::DVec2;
 pub(crate) const ACROSS: usize = 0;
 pub(crate) const ALONG: usize = 1;
 
-/// The rounding of velocities, of sums of many impulses, and of the energy that these give, as a part of themselves. Smaller: rounding slows what
-/// it should not.
+/// The rounding of velocities, sums of many impulses and their energy, as a part of themselves. Smaller: rounding slows what it should not.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
 #[derive(Clone, Copy, Debug, PartialEq)]

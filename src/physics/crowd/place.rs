@@ -30,17 +30,12 @@ pub(crate) fn advance(bodies: &mut Bodies, lands: &[u32], dt: f64) -> bool {
     inside
 }
 
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Mended {
-    pub any: bool,
-    pub doubt: bool,
-}
-
-pub(crate) fn part(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters, dt: f64) -> Mended {
-    let mut any = hold_down(bodies, contacts, dt);
-    let mut doubt = lift(bodies, contacts, &mut any, dt);
-    doubt |= spread(bodies, contacts, clusters);
-    Mended { any: any || doubt, doubt }
+/// Moves boxes apart. Returns whether it mended anything, and whether somebody has to look again.
+pub(crate) fn part(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters, dt: f64) -> (bool, bool) {
+    let mut mended = hold_down(bodies, contacts, dt);
+    let lifted = lift(bodies, contacts, &mut mended, dt);
+    let doubt = spread(bodies, contacts, clusters) || lifted;
+    (mended || doubt, doubt)
 }
 
 /// Along gravity, top-down: what rises stops under what does not make way.
@@ -106,21 +101,20 @@ fn lift(bodies: &mut Bodies, contacts: &Contacts, mended: &mut bool, dt: f64) ->
 /// Across: what overlaps is merged, in proportion to the masses. Returns whether something has to be looked at again.
 fn spread(bodies: &mut Bodies, contacts: &Contacts, clusters: &mut Clusters) -> bool {
     let (n, hair) = (bodies.len(), contacts.tolerances.hair);
-    let pooled =
-        clusters.pool(Pool { before: |i| bodies[i].to.x, slack: hair, places: true }, [&contacts.sides, &[]], |clusters, side| {
-            let (a, b) = (side.first as usize, side.second as usize);
-            let apart = (bodies[a].to.y - bodies[b].to.y).abs() >= bodies[a].half.y + bodies[b].half.y;
-            if !side.live && apart {
-                return false;
-            }
-            for i in [a, b] {
-                let mass = if i < n { bodies[i].mass } else { 1.0 };
-                let fixed = (i >= n).then(|| ClusterMotion { velocity: 0.0, mean: bodies[i].to.x });
-                clusters.join(i, fixed, Node::free(mass, 0.0, 0.0, bodies[i].to.x));
-            }
-            true
-        });
-    let mut doubt = pooled.stuck;
+    let pool = Pool { before: |i| bodies[i].to.x, slack: hair, places: true };
+    let (_, mut doubt) = clusters.pool(pool, [&contacts.sides, &[]], |clusters, side| {
+        let (a, b) = (side.first as usize, side.second as usize);
+        let apart = (bodies[a].to.y - bodies[b].to.y).abs() >= bodies[a].half.y + bodies[b].half.y;
+        if !side.live && apart {
+            return false;
+        }
+        for i in [a, b] {
+            let mass = if i < n { bodies[i].mass } else { 1.0 };
+            let fixed = (i >= n).then(|| ClusterMotion { velocity: 0.0, mean: bodies[i].to.x });
+            clusters.join(i, fixed, Node::free(mass, 0.0, 0.0, bodies[i].to.x));
+        }
+        true
+    });
     for i in clusters.joined.iter().map(|i| *i as usize).filter(|i| *i < n) {
         bodies[i].to.x = clusters.mean(i, 0.0);
         doubt |= !bodies.is_swept(i);
@@ -140,11 +134,9 @@ pub(crate) fn take_back(bodies: &mut Bodies, contacts: &Contacts, back: &mut [[b
     let mut clean = false;
     while !clean {
         clean = true;
-        for contact in contacts.stacks.iter().chain(&contacts.ceilings) {
-            clean &= !resolve(bodies, back, contact, (ALONG, contacts.tolerances.hair));
-        }
-        for contact in &contacts.sides {
-            clean &= !resolve(bodies, back, contact, (ACROSS, contacts.tolerances.hair));
+        let along = contacts.stacks.iter().chain(&contacts.ceilings).map(|contact| (contact, ALONG));
+        for (contact, axis) in along.chain(contacts.sides.iter().map(|contact| (contact, ACROSS))) {
+            clean &= !resolve(bodies, back, contact, (axis, contacts.tolerances.hair));
         }
     }
     back.iter().flatten().filter(|b| **b).count() as u64
@@ -157,20 +149,11 @@ fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &CrowdContact, 
     }
     // A pair that may pass a corner keeps an axis along which it was not quite apart: then both axes go back.
     let started_apart = (bodies[a].from - bodies[b].from).abs()[axis] >= (bodies[a].half + bodies[b].half)[axis] - hair;
-    let mut moved = false;
-    for i in [a, b] {
-        for which in [ACROSS, ALONG].into_iter().filter(|which| *which == axis || !started_apart) {
-            moved |= put_back(bodies, back, i, which);
-        }
-    }
-    if !moved {
-        for i in [a, b] {
-            for which in [ACROSS, ALONG] {
-                moved |= put_back(bodies, back, i, which);
-            }
-        }
-    }
-    moved
+    let mut go_back = |axes: &[usize]| {
+        let coordinates = [a, b].into_iter().flat_map(|i| axes.iter().map(move |axis| (i, *axis)));
+        coordinates.fold(false, |moved, (i, axis)| put_back(bodies, back, i, axis) || moved)
+    };
+    (started_apart && go_back(&[axis])) || go_back(&[ACROSS, ALONG])
 }
 
 /// Whether two boxes on straight ways enter each other by more than `hair`.

@@ -11,11 +11,8 @@ impl Dense {
         self.record_along(bodies, &mut report);
         self.record_across(bodies, &mut report);
         let touch = self.contacts.tolerances.touch;
-        for record in &report.records {
-            if record.normal != 0.0 || record.friction != 0.0 {
-                report.list.push(listed(bodies, record, touch, frame));
-            }
-        }
+        let acting = report.records.iter().filter(|record| record.normal != 0.0 || record.friction != 0.0);
+        report.list.extend(acting.map(|record| listed(bodies, record, touch, frame)));
         self.report = report;
     }
 
@@ -26,14 +23,12 @@ impl Dense {
         let mut edges = std::mem::take(&mut self.anchors.edges);
         let loose = &self.anchors.loose;
         report.drain(&mut edges, &mut lack, |i| i >= n || !loose[i]);
-        for edge in &edges {
-            report.records.push(Record { a: edge.a, b: edge.b, axis: ALONG, normal: -edge.impulse, friction: 0.0 });
-        }
+        let parted = |edge: &Edge| Record { a: edge.a, b: edge.b, axis: ALONG, normal: -edge.impulse, friction: 0.0 };
+        report.records.extend(edges.iter().map(parted));
         self.anchors.edges = edges;
         (0..n).filter(|i| self.anchors.loose[*i]).for_each(|i| lack[i] = 0.0);
-        let records = &mut report.records;
         self.contacts.hand_down(bodies, &self.anchors, &mut lack, |a, b, share| {
-            records.push(Record { a, b, axis: ALONG, normal: -share, friction: 0.0 });
+            report.records.push(Record { a, b, axis: ALONG, normal: -share, friction: 0.0 });
         });
         report.along = lack;
     }

@@ -1,6 +1,5 @@
-//! Impulses of the contacts of the last step, for lists: for each body they add up to what its momentum lacks beside the forces from outside. Held
-//! bodies hand down their loads in equal shares; a cluster passes on impulses along the tree of its merges, from the leaves inwards; friction in a
-//! stack takes what is left. Nothing here enters the motion.
+//! Impulses of contacts, for lists alone: for each body they add up to what its momentum lacks beside the forces from outside. Held bodies hand down
+//! their loads in equal shares; a cluster passes impulses along the tree of its merges, leaves first; a stack's friction takes the rest.
 
 use crate::physics::crowd::{ContactImpulse, Edge, Record, bodies::Bodies, clusters::Clusters, gravity::Anchors};
 

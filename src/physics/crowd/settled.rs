@@ -1,6 +1,5 @@
-//! The members of an island that a crowd step takes for ground: they rested in the step before, the same pulls at them, and nothing that moves is
-//! near. If one of them is pushed after all, or one on which it stands moves, the step is solved again with it: the answer is that of all members,
-//! bit for bit.
+//! The members of an island that a crowd step takes for ground: they rested, the same pulls at them, and nothing that moves is near. If one is
+//! pushed after all, or what it stands on moves, the step is solved again with it: the answer is that of all members, bit for bit.
 
 use crate::physics::crowd::{ACROSS, bodies::Bodies, bodies::Origin, contacts::TOUCH, dense::Dense};
 use crate::physics::{data::Body, store::Island, store::Motions};
@@ -170,7 +169,6 @@ impl Settled {
         stirred
     }
 
-    /// Notes the members that rest.
     pub fn note(&mut self, motions: &Motions, island: Island<'_>, bodies: &Bodies, dense: &Dense) {
         let Self { found, step, rests, any, .. } = self;
         // A body that stands on such a surface may slide when others move.

@@ -251,17 +251,8 @@ impl WallContact {
         let hangs = (on_firm || (on_hung && falls)) && bodies.rides(i, j, ALONG, belt);
         let of = bodies.coefficients(i, j);
         let (static_limit, kinetic_limit) = (edge.impulse * of.static_friction, edge.impulse * of.kinetic_friction);
-        Self {
-            body: i as u32,
-            wall: j as u32,
-            surface_velocity,
-            static_limit,
-            kinetic_limit,
-            hangs,
-            on_hung,
-            firm: on_firm || on_hung,
-            impulse: 0.0,
-        }
+        let (body, wall, firm) = (i as u32, j as u32, on_firm || on_hung);
+        Self { body, wall, surface_velocity, static_limit, kinetic_limit, firm, hangs, on_hung, impulse: 0.0 }
     }
 
     /// What this takes of the load of a body that all on which it hangs take together, N·s.

@@ -1,7 +1,7 @@
 //! Pairs of bodies whose boxes meet, found in each step: a body looks, in the columns that its box covers, at the bodies below it.
 
 use crate::physics::data::{Aabb, NONE, refill};
-use crate::physics::store::grid::cell;
+use crate::physics::store::grid::{ListEntry, cell};
 use std::ops::Range;
 
 /// A box that covers more columns, or is as tall, is tested against all.
@@ -9,20 +9,13 @@ const MOST_COLUMNS: f64 = 64.0;
 /// Up to this many boxes all are tested against all.
 const FEW: usize = 12;
 
-#[derive(Clone, Copy, Debug)]
-struct ColumnEntry {
-    place: u32,
-    /// The entry below it in its column.
-    below: u32,
-}
-
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Columns {
     /// Columns a metre.
     per_metre: f64,
-    /// The highest entry of each column; several columns may share one.
+    /// The highest entry of each column, from which the list goes down; several columns may share one.
     heads: Vec<u32>,
-    entries: Vec<ColumnEntry>,
+    entries: Vec<ListEntry>,
     /// Places of boxes that cover too many columns.
     wide: Vec<u32>,
     /// By place: the first column, and how far down the centre is, m.
@@ -83,7 +76,7 @@ impl Columns {
         }
         for column in columns {
             let head = self.head(column);
-            self.entries.push(ColumnEntry { place: k as u32, below: self.heads[head] });
+            self.entries.push(ListEntry { item: k as u32, next: self.heads[head] });
             self.heads[head] = self.entries.len() as u32 - 1;
         }
     }
@@ -118,7 +111,7 @@ impl Columns {
         let lowest = (if self.down > 0.0 { mine.max.y } else { -mine.min.y }) + self.reach;
         for column in columns {
             let mut at = self.heads[self.head(column)];
-            while let Some(&ColumnEntry { place, below }) = self.entries.get(at as usize) {
+            while let Some(&ListEntry { item: place, next: below }) = self.entries.get(at as usize) {
                 let (begins, depth) = self.begins[place as usize];
                 if depth > lowest {
                     break;

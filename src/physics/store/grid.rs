@@ -7,10 +7,11 @@ const MOST_CELLS: i64 = 4096;
 /// Up to this many boxes all are tested one by one.
 const FEW: usize = 32;
 
+/// An entry of a linked list of items; the list of a cell ends with [`NONE`].
 #[derive(Clone, Copy, Debug)]
-struct GridEntry {
-    item: u32,
-    next: u32,
+pub(crate) struct ListEntry {
+    pub item: u32,
+    pub next: u32,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -19,7 +20,7 @@ pub(crate) struct CellGrid {
     /// Cells a metre.
     per_metre: f64,
     heads: Vec<u32>,
-    entries: Vec<GridEntry>,
+    entries: Vec<ListEntry>,
     unused: Vec<u32>,
     large: Vec<u32>,
     /// By item: the search that has found it last.
@@ -56,7 +57,7 @@ impl CellGrid {
             return self.large.push(item as u32);
         };
         for head in cells.all(self.heads.len()) {
-            let entry = GridEntry { item: item as u32, next: self.heads[head] };
+            let entry = ListEntry { item: item as u32, next: self.heads[head] };
             let at = self.unused.pop().unwrap_or(self.entries.len() as u32);
             match self.entries.get_mut(at as usize) {
                 Some(unused) => *unused = entry,
@@ -73,7 +74,7 @@ impl CellGrid {
         };
         for head in cells.all(self.heads.len()) {
             let (mut at, mut before) = (self.heads[head], NONE);
-            while let Some(&GridEntry { item: other, next }) = self.entries.get(at as usize) {
+            while let Some(&ListEntry { item: other, next }) = self.entries.get(at as usize) {
                 if other as usize == item {
                     match self.entries.get_mut(before as usize) {
                         Some(entry) => entry.next = next,
@@ -112,7 +113,11 @@ impl CellGrid {
     }
 
     fn cells(&self, of: &Aabb) -> Option<Cells> {
-        Cells::of(of, self.per_metre).filter(|_| self.boxes.len() > FEW)
+        let [left, right] = [of.min.x, of.max.x].map(|edge| cell(edge, self.per_metre));
+        let [top, bottom] = [of.min.y, of.max.y].map(|edge| cell(edge, self.per_metre));
+        let count = (right.saturating_sub(left).saturating_add(1)).saturating_mul(bottom.saturating_sub(top).saturating_add(1));
+        let sorts = self.boxes.len() > FEW && right >= left && count <= MOST_CELLS;
+        sorts.then_some(Cells { columns: (left, right), rows: (top, bottom), count })
     }
 }
 
@@ -132,13 +137,6 @@ struct Cells {
 }
 
 impl Cells {
-    fn of(bounds: &Aabb, per_metre: f64) -> Option<Self> {
-        let [left, right] = [bounds.min.x, bounds.max.x].map(|edge| cell(edge, per_metre));
-        let [top, bottom] = [bounds.min.y, bounds.max.y].map(|edge| cell(edge, per_metre));
-        let count = (right.saturating_sub(left).saturating_add(1)).saturating_mul(bottom.saturating_sub(top).saturating_add(1));
-        (right >= left && count <= MOST_CELLS).then_some(Self { columns: (left, right), rows: (top, bottom), count })
-    }
-
     /// Their places among the lists, whose number is a power of two. Two cells may share one.
     fn all(&self, lists: usize) -> impl Iterator<Item = usize> + use<> {
         let (Self { columns, rows, .. }, mask) = (*self, lists - 1);

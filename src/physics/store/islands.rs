@@ -116,7 +116,6 @@ impl Islands {
         self.forget();
     }
 
-    /// Lets pairs of bodies share an island wherever they are.
     pub fn link(&mut self, pairs: &[(u32, u32)]) {
         if self.links != pairs {
             self.links.clear();
@@ -164,7 +163,6 @@ impl Islands {
         self.turned = turned;
     }
 
-    /// The island that was turned last.
     pub fn turned(&self) -> Island<'_> {
         let Turned { members, ranges, others, .. } = &self.turned;
         Island { members, ranges, others }
@@ -195,8 +193,7 @@ impl Islands {
         }
     }
 
-    /// Whether a body that sweeps `mine` may meet something that is not listed with it, when `widened` bodies sweep more than the boxes from which
-    /// the islands were found. Moving surfaces are not looked for.
+    /// Whether a body that sweeps `mine` may meet what is not listed with it, where `widened` bodies sweep more than before, moving surfaces aside.
     pub fn meets_more(&self, (i, mine): (u32, &Aabb), widened: &[(u32, Aabb)], motions: &Motions, surfaces: &BroadPhase) -> bool {
         let (n, all) = (motions.len() as u32, self.whole());
         let unlisted = |j: u32| j != i && !all.near(i).contains(&j) && (j >= n || !all.near(j).contains(&i));
@@ -306,9 +303,7 @@ impl Islands {
             let (a, b) = (first(parent, *a as usize), first(parent, *b as usize));
             parent[a.max(b)] = a.min(b) as u32;
         }
-        for &i in &*order {
-            parent[i as usize] = first(parent, i as usize) as u32;
-        }
+        order.iter().for_each(|i| parent[*i as usize] = first(parent, *i as usize) as u32);
         begins.clear();
         order.iter().for_each(|i| island_of_root[parent[*i as usize] as usize] = NONE);
         // Counts the members of each island, sums up, and fills from the last to the first.

@@ -5,8 +5,7 @@ use crate::physics::flight::air::fly_through;
 use crate::physics::forces::{Drag, Media, media::fall};
 use glam::DVec2;
 
-/// How much further than predicted a body may get before its contacts are sought again, m. Larger: more contacts; smaller: more islands are solved
-/// again because a hit threw a body further.
+/// m. How much further than predicted a body may get before its contacts are sought again. Larger: more contacts; smaller: more islands grow.
 pub(crate) const MARGIN: f64 = 1e-2;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -118,14 +117,12 @@ pub(crate) struct Motions {
 impl Motions {
     pub fn new(bodies: &[Body], surfaces: &[Surface], media: &Media) -> Self {
         let drags: Vec<Drag> = bodies.iter().map(|body| media.air(body)).collect();
-        let rests = |body: &Body| {
-            let pose = (body.position, body.velocity);
-            BodyMotion { free: pose, end: pose, ..BodyMotion::default() }
-        };
+        let pose = |body: &Body| (body.position, body.velocity);
+        let rests = |pose: Pose| BodyMotion { free: pose, end: pose, ..BodyMotion::default() };
         let mut motions = Self {
-            bodies: bodies.iter().map(rests).collect(),
+            bodies: bodies.iter().map(pose).map(rests).collect(),
             surfaces: surfaces.iter().map(SurfaceMotion::of).collect(),
-            before: bodies.iter().map(|body| (body.position, body.velocity)).collect(),
+            before: bodies.iter().map(pose).collect(),
             swept: vec![Aabb::NOWHERE; bodies.len() + surfaces.len()],
             airy: drags.iter().any(|drag| !drag.is_none()),
             drags,

@@ -118,10 +118,9 @@ impl Sleep {
 
     /// An island that is all asleep and touches nothing that moves stays as it is.
     pub(crate) fn stays_asleep(&mut self, bodies: &[Body], motions: &mut Motions, island: Island<'_>) -> bool {
-        if self.sleepers == 0 || !island.members.iter().all(|i| self.asleep[*i as usize]) {
-            return false;
-        }
-        if island.surfaces(motions.len()).any(|surface| motions.surfaces[surface as usize].carries()) {
+        let carries = |surface: u32| motions.surfaces[surface as usize].carries();
+        let sleeps = self.sleepers > 0 && island.members.iter().all(|i| self.asleep[*i as usize]);
+        if !sleeps || island.surfaces(motions.len()).any(carries) {
             return false;
         }
         for i in island.members.iter().map(|i| *i as usize) {

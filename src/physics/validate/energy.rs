@@ -1,7 +1,7 @@
 //! Energy: kinetic and potential energy of an island rise in no tick by more than the work of drive, streams, fields and buoyancy.
 //!
 //! Springs and ropes give what they held, and what winches do. Islands that links join have one ledger. Not asked: islands in
-//! which links alone lead a body, magnets, near surfaces that move, where a body crosses the border of a stream within the tick, and liquids under a gravity that points up.
+//! which links alone lead a body, magnets, near surfaces that move, where a body crosses the border of a stream, and liquids where gravity points up.
 
 use crate::physics::checks::{Ledger, Thing, join, rounding};
 use crate::physics::data::{Aabb, BodyId, LinkLaw, MICRO_SPEED, SLOP, refill};
@@ -15,8 +15,7 @@ const BORDER: f64 = 4.0 * SLOP;
 /// m. How far a stiff link may be off after the steps of a tick.
 const OFF: f64 = 1e-10;
 
-/// Of the energies and works of an island, the part that it may gain. Flights and impacts: their rounding, and the error of flights through
-/// liquids. Smaller: `FLIGHT_TOLERANCE` shows.
+/// The part of its energies and works that an island may gain. Flights and impacts: rounding. Smaller: `FLIGHT_TOLERANCE` in liquids shows.
 const EXACT: f64 = 1e-9;
 /// Contacts in liquids: the error of an implicit step whose length has a floor.
 const WET: f64 = 1e-6;
@@ -24,7 +23,6 @@ const WET: f64 = 1e-6;
 const CROWD: f64 = 1.0;
 
 impl World {
-    /// No island has gained more energy than it was given.
     pub(super) fn validate_energy(&self, bodies: &[Thing], ledgers: &mut Vec<Ledger>, moving: &mut Vec<u32>) -> Result<(), String> {
         moving.clear();
         let moves = |s: &u32| {
@@ -56,17 +54,13 @@ impl World {
         }
         self.account_links(ledgers);
         let more = |of: &Ledger| of.gained - of.given - of.rounding - of.slack * (of.scale + of.push);
-        match (0..).zip(&*ledgers).find(|(_, of)| !of.open && more(of) > 0.0) {
-            Some((leader, of)) => Err(format!(
-                "the island of body {leader} gained {} J, and was given {} J at most, of {} J in all, where a part {} may be",
-                of.gained, of.given, of.scale, of.slack
-            )),
-            None => Ok(()),
-        }
+        let found = (0..).zip(&*ledgers).find(|(_, of)| !of.open && more(of) > 0.0);
+        let Some((leader, Ledger { gained, given, scale, slack, .. })) = found else { return Ok(()) };
+        let allowed = format!("{given} J at most, of {scale} J in all, where a part {slack} may be");
+        Err(format!("the island of body {leader} gained {gained} J, and was given {allowed}"))
     }
 
-    /// Whether a body that is in no island moved as one that touches nothing does. (A body that flew back into an island that it had left is in
-    /// none.)
+    /// Whether a body in no island moved as one that touches nothing: one that flew back into an island that it had left is in none.
     fn flew(&self, thing: &Thing) -> bool {
         let (before, dt) = (self.space.previous(thing.id as usize).1, self.records.dt);
         let way = thing.now.centre() - thing.before.centre();
@@ -132,7 +126,6 @@ impl World {
         ledger.rounding += most * rounding(&thing.swept) + body.mass * MICRO_SPEED * MICRO_SPEED;
     }
 
-    /// Adds what links have given their islands.
     fn account_links(&self, ledgers: &mut [Ledger]) {
         let dt = self.records.dt;
         for (number, link) in (0..).zip(&self.state.links.all) {

@@ -5,9 +5,8 @@
 //! differently a body sticks to the strongest and slides on the others.
 
 use crate::physics::crowd::friction::{Friction, Grip, Riders};
-use crate::physics::{
-    crowd::ROUNDING, crowd::bodies::Bodies, crowd::bodies::Member, data::lists::first, data::lists::refill, data::tuning::MANY,
-};
+use crate::physics::crowd::{ROUNDING, bodies::Bodies, bodies::Member};
+use crate::physics::data::{lists::first, lists::refill, tuning::MANY};
 
 /// The most rounds of the active set. Fewer: contacts at their limit slide or stick a step late.
 const ROUNDS: usize = 5;
@@ -92,8 +91,7 @@ impl Friction {
         self.gains(bodies, self.gripped.iter().map(|i| *i as usize), |i| given[i] / bodies[i].mass)
     }
 
-    /// Contact by contact, friction brings two bodies together as far as its limit allows, from the impulses so far unless those drive. Always
-    /// dissipates, but bodies high up may be stopped only after many steps.
+    /// Contact by contact, as far as the limits allow, from the impulses so far unless those drive: dissipates, but stops bodies high up late.
     fn relax(&mut self, bodies: &mut Bodies, given: &[f64]) {
         self.turned = false;
         self.relaxed += 1;
@@ -132,8 +130,8 @@ impl Friction {
             for c in self.under(i) {
                 let tight = &mut self.tight[c];
                 let below = tight.below as usize;
-                let share = |i: usize, moves: bool| if moves { 1.0 / bodies[i].mass } else { 0.0 };
-                let (mine, other) = (share(i, true), share(below, below < n && self.is_awake[below]));
+                let mine = 1.0 / bodies[i].mass;
+                let other = if below < n && self.is_awake[below] { 1.0 / bodies[below].mass } else { 0.0 };
                 let wanted = tight.impulse - (bodies[i].end.x - bodies[below].end.x - tight.belt_velocity) / (mine + other);
                 let more = wanted.clamp(-tight.static_limit, tight.static_limit) - tight.impulse;
                 tight.impulse += more;
@@ -146,7 +144,6 @@ impl Friction {
         most
     }
 
-    /// Top-down.
     fn gather(&mut self, bodies: &Bodies, given: &[f64], of: &[u32]) {
         let Self { start, end, tight, riders, .. } = self;
         for i in of.iter().map(|i| *i as usize) {

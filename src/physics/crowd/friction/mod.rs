@@ -2,9 +2,8 @@
 //!
 //! A body's load is split equally among its tight supports; μ times the load is the limit of friction. [`grips`] finds which contacts stick.
 //!
-//! Only bodies that move, are pushed, or stand on such take part. A standing body holds all that slides on it, since its own limit is at least
-//! theirs together, if no surface is more slippery than the bodies and all bodies are alike. A moving surface or belt carries with the velocity of
-//! its belt.
+//! Only bodies that move, are pushed, or stand on such take part. A standing body holds all that slides on it, as its own limit is at least theirs
+//! together, if no surface is more slippery than the bodies and these are alike. A moving surface or belt carries at its belt's velocity.
 
 pub(crate) mod grips;
 
@@ -12,14 +11,15 @@ use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, clusters::time_to_sto
 use crate::physics::crowd::{gravity::Anchors, gravity::SLACK};
 use crate::physics::data::lists::refill;
 
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) enum Grip {
+    #[default]
     Stick,
     /// The friction on the upper body has this sign.
     Slip(f64),
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct FrictionContact {
     pub below: u32,
     pub grip: Grip,
@@ -89,12 +89,8 @@ pub(crate) struct Friction {
 
 impl Friction {
     pub fn begin(&mut self, all: usize) {
-        for flags in [&mut self.is_awake, &mut self.is_gripped, &mut self.stirred] {
-            refill(flags, all, false);
-        }
-        for places in [&mut self.start, &mut self.end, &mut self.group] {
-            places.resize(all, 0);
-        }
+        [&mut self.is_awake, &mut self.is_gripped, &mut self.stirred].into_iter().for_each(|flags| refill(flags, all, false));
+        [&mut self.start, &mut self.end, &mut self.group].into_iter().for_each(|places| places.resize(all, 0));
         for bodies in [&mut self.solved, &mut self.changed] {
             bodies.clear();
             bodies.reserve(all);
@@ -122,13 +118,11 @@ impl Friction {
     pub fn wake(&mut self, bodies: &Bodies, contacts: &Contacts, given: &[f64], pushed: &[bool]) {
         self.awake.clear();
         let n = bodies.len();
-        for i in 0..bodies.len() {
+        for i in 0..n {
             let under = &contacts.stacks[contacts.under(i)];
-            let stirs = |j: usize| {
-                if bodies.is_body(j) {
-                    return j < n && self.is_awake[j];
-                }
-                bodies[j].end.x != 0.0 || bodies[j].belt != 0.0 || bodies.is_slippery(j)
+            let stirs = |j: usize| match bodies.is_body(j) {
+                true => j < n && self.is_awake[j],
+                false => bodies[j].end.x != 0.0 || bodies[j].belt != 0.0 || bodies.is_slippery(j),
             };
             let awake = !bodies.alike
                 || given[i] != 0.0
@@ -160,51 +154,32 @@ impl Friction {
             }
             self.end[i] = self.tight.len() as u32;
             for tight in &self.tight[self.start[i] as usize..] {
-                self.is_gripped[i] = true;
-                self.is_gripped[tight.below as usize] = true;
+                (self.is_gripped[i], self.is_gripped[tight.below as usize]) = (true, true);
             }
         }
-        for &i in &self.awake {
-            if self.is_gripped[i as usize] {
-                self.gripped.push(i);
-            }
-        }
+        self.gripped.extend(self.awake.iter().filter(|i| self.is_gripped[**i as usize]));
     }
 
     #[inline(always)]
     fn grip(&mut self, bodies: &Bodies, i: usize, contact: &CrowdContact, slack: f64) {
-        let (above, gains) =
-            (contact.second as usize == i, bodies[contact.first as usize].end.y - bodies[contact.second as usize].end.y);
+        let gains = bodies[contact.first as usize].end.y - bodies[contact.second as usize].end.y;
         if gains.abs() > SLACK || !Contacts::closes(bodies, contact, slack) {
             return;
         }
+        let above = contact.second as usize == i;
         let below = if above { contact.first } else { contact.second };
         let (of, belt_velocity) = (bodies.coefficients(i, below as usize), bodies.belt_velocity(below as usize, ALONG, above));
         let stood = bodies.rides(i, below as usize, ACROSS, belt_velocity);
         let (kinetic_limit, holds) = (of.kinetic_friction, of.static_friction);
         // Kinetic friction stops a slide; static friction holds a body that stands.
         let static_limit = if stood { holds } else { kinetic_limit };
-        let (grip, load, sense, impulse) = (Grip::Stick, 0.0, 1.0, 0.0);
-        self.tight.push(FrictionContact {
-            below,
-            grip,
-            load,
-            static_limit,
-            kinetic_limit,
-            impulse,
-            stood,
-            holds,
-            sense,
-            above,
-            belt_velocity,
-        });
+        let limits = FrictionContact { static_limit, kinetic_limit, holds, sense: 1.0, ..FrictionContact::default() };
+        self.tight.push(FrictionContact { below, above, stood, belt_velocity, ..limits });
     }
 
     /// Adds up the loads top-down, N·s. A bounce with restitution e rubs with 1 + e times the impulse that stops it.
     pub fn load(&mut self, bodies: &Bodies, held_up: &[f64], anchors: &Anchors) {
-        for &i in &self.awake {
-            self.loads[i as usize] = held_up[i as usize];
-        }
+        self.awake.iter().for_each(|i| self.loads[*i as usize] = held_up[*i as usize]);
         self.load_loose(anchors);
         let Self { start, end, tight, loads, gripped, .. } = self;
         for i in gripped.iter().rev().map(|i| *i as usize) {
