@@ -181,14 +181,6 @@ impl Events {
         refill(&mut self.borders, if self.streams.is_empty() { 0 } else { self.movable }, ZoneList::default());
     }
 
-    pub(crate) fn turn(&mut self, scene: &Scene, i: usize) {
-        self.set_out(scene, i);
-        self.predict(scene, i);
-        if !self.concerned.is_empty() {
-            self.look(scene);
-        }
-    }
-
     pub(crate) fn halt(&mut self, scene: &Scene, surface: u32) {
         self.guards.surfaces_stopped += 1;
         self.halted = true;
@@ -197,7 +189,7 @@ impl Events {
         self.set_out(scene, surface as usize);
     }
 
-    fn set_out(&mut self, scene: &Scene, i: usize) {
+    pub(super) fn set_out(&mut self, scene: &Scene, i: usize) {
         scene.set_on_path(&mut self.items[i], self.now);
         self.foresee(scene, i);
         self.nexts[i] = Next::NEVER;

@@ -1,5 +1,4 @@
-//! Impacts in rounds, the fastest first, until nothing approaches (`docs/physics.md`, Impacts and their order). In a round no body is struck twice, but
-//! by hits that tie.
+//! Impacts in rounds, the fastest first (`docs/physics.md`, Impacts and their order). In a round no body is struck twice, but by hits that tie.
 
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
 use crate::physics::data::{Aabb, BodyId, Contact, EQUAL_SPEED, Hit, Impulse, Obstacle, Part, SLOP, called, on_axis};
@@ -90,8 +89,7 @@ impl Events {
             for contact in &mut touching {
                 self.note_plastic(scene, contact);
                 if may_cling && !contact.clings && self.clings(scene, contact) {
-                    contact.clings = true;
-                    lifted = true;
+                    (contact.clings, lifted) = (true, true);
                 }
             }
             if !lifted {

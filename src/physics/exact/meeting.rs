@@ -51,8 +51,7 @@ impl Events {
         place(contact.hi) - place(contact.lo) - self.reach_of(contact)
     }
 
-    /// Takes away the gap or overlap of two items that meet now, shared as their masses say; a surface gives way to nothing, and neither does a
-    /// body that stands against one. Bodies behind the one that gives way go with it.
+    /// Takes away the gap or overlap of two that meet now, by their masses, with all behind them; no surface, nor what stands against one, gives way.
     pub(crate) fn close(&mut self, scene: &Scene, contact: &Contact) {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.reach_of(contact);

@@ -1,5 +1,4 @@
-//! Motions after an event. A group in contact in media takes the mean acceleration of an implicit step: in `v′ = f − D·v − K·x` that is one contact
-//! solve with the masses M·(1 + θhD + θ²h²K), stable at any rate (`docs/physics.md`, Flight).
+//! Motions after an event. A group in contact in media takes implicit steps: a solve with masses M·(1 + θhD + θ²h²K) (`docs/physics.md`, Flight).
 
 use crate::physics::data::{BOBBING_REACH, Contact, Cubic, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Implicit, Scene};
@@ -13,8 +12,7 @@ pub(crate) const SHORTEST: f64 = 1.0 / 64.0;
 /// Trials for the length of an implicit step that ends at a kink. Fewer: light stacks gain energy where they leave a liquid.
 const KINK_TRIALS: u32 = 8;
 
-/// Corrections of an implicit step, and the speed (m/s) that a further one may change. Fewer, larger: a feather on a crate parts from it at its
-/// apex and gains energy; more, smaller: work for digits below the error of the step.
+/// Corrections of an implicit step; m/s that another may change. Fewer, larger: a feather parts from its crate at the apex; more, smaller: no gain.
 const PASSES: u32 = 4;
 /// Passes of Newton's method, which halve an overshoot each. Fewer: a body from rest in dense liquid overshoots. `flows_cut_short` counts more.
 const STEEP_PASSES: u32 = 32;
@@ -117,12 +115,10 @@ impl Events {
         for i in 0..self.items.len() {
             let item = &self.items[i];
             let stopped = i >= self.movable && item.stops_at <= self.now && item.since == self.now;
-            if self.is_concerned[i] || stopped {
-                if still {
-                    self.nexts[i] = self.own_next(scene, i);
-                } else {
-                    self.predict(scene, i);
-                }
+            match self.is_concerned[i] || stopped {
+                true if still => self.nexts[i] = self.own_next(scene, i),
+                true => self.predict(scene, i),
+                false => {}
             }
         }
     }
@@ -244,6 +240,7 @@ impl Events {
             let answer = scene.media.stiffness(&item.body, &item.law, item.body.position, item.body.velocity);
             let (drag, stiffness) = (answer.drag, DVec2::new(0.0, answer.lift));
             let rate = drag * h + stiffness * (h * h);
+            let theta = |rate: f64| if rate > 2.0 { 1.0 - 1.0 / rate } else { 0.5 };
             let theta = DVec2::new(theta(rate.x), theta(rate.y));
             let response = theta * drag * h + theta * theta * stiffness * (h * h);
             self.implicit.push(Implicit { theta, response, mean: DVec2::ZERO });
@@ -314,8 +311,4 @@ impl Events {
         self.foresee(scene, i);
         self.predict(scene, i);
     }
-}
-
-fn theta(rate: f64) -> f64 {
-    if rate > 2.0 { 1.0 - 1.0 / rate } else { 0.5 }
 }

@@ -118,15 +118,12 @@ fn fly_in_steps(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     if whole.fits { (take(pose, a, &whole), 1) } else { in_parts(pose, a, drag, t) }
 }
 
-/// Drag alone: u = u₀/(1 + s₀·t), x = u₀·ln(1 + s₀·t)/s₀.
-fn slowed((x, v): Pose, rate: f64, t: f64) -> Pose {
-    let way = if rate > 0.0 { libm::log1p(rate * t) / rate } else { t };
-    (x + v * way, v / (1.0 + rate * t))
-}
-
 fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     if a == DVec2::ZERO {
-        return (slowed(pose, drag.rate(pose.1), t), 1);
+        // Drag alone: u = u₀/(1 + s₀·t), x = u₀·ln(1 + s₀·t)/s₀.
+        let ((x, v), rate) = (pose, drag.rate(pose.1));
+        let way = if rate > 0.0 { libm::log1p(rate * t) / rate } else { t };
+        return ((x + v * way, v / (1.0 + rate * t)), 1);
     }
     let slowest = drag.rate(a).sqrt();
     let terminal = if slowest > 0.0 { a / slowest } else { DVec2::ZERO };

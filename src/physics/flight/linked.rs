@@ -9,8 +9,7 @@ use glam::DVec2;
 /// Rows of the extrapolation: 2, 4, 6 … midpoint steps.
 const ROWS: usize = 8;
 
-/// Error of a step allowed besides where media brake, as a part of the longest way in it. Larger: a tow is off by 1e-8 m after some seconds; smaller: the
-/// corner of drag, where a velocity changes its sign, takes many short steps.
+/// Error allowed where media brake, in parts of the longest way of a step. Larger: a tow is off by 1e-8 m in seconds; smaller: more steps at turns.
 const ROUGH: f64 = 2e-11;
 
 /// Place, velocity and the impulse of the links since the step's begin; or their rates.
@@ -127,10 +126,7 @@ pub(crate) struct Pull {
 
 impl Pull {
     pub(super) fn law_after(&self, offset: f64) -> LinkLaw {
-        match self.law.length() {
-            Some(length) if self.growth != 0.0 => self.law.of_length(length + self.growth * offset),
-            _ => self.law,
-        }
+        self.law.length().map_or(self.law, |length| self.law.of_length(length + self.growth * offset))
     }
 }
 

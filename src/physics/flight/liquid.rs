@@ -1,5 +1,4 @@
-//! The motion of one body near or in a liquid, without contacts. Wholly inside or outside and without Stokes' drag it flies as through a denser air;
-//! otherwise it takes steps by their own error. At its terminal velocity it stays on that; when its bobbing is down to rounding it is at rest.
+//! One body near or in a liquid, without contacts: as through denser air in one medium all around without Stokes' drag, else by steps; then at rest.
 
 use crate::physics::data::{BOBBING_REACH, Body, Cubic, HEAVY_REACH, Pose, TERMINAL_TOLERANCE};
 use crate::physics::flight::air::fly_through;
@@ -93,14 +92,10 @@ impl<'a> Swimmer<'a> {
         Self { regime: law.regime(media, body, body.position), law }
     }
 
-    fn pose(&self) -> Pose {
-        (self.regime.body.position, self.regime.body.velocity)
-    }
-
     /// Its course for `t` seconds, or to the end of the last step (at least one) at which `goes_on` holds.
     fn swim(&mut self, t: f64, mut goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
         let (media, body, law) = (self.regime.media, self.regime.body, self.law);
-        let mut pose = self.pose();
+        let mut pose = (body.position, body.velocity);
         let (mut left, mut h) = (t, if law.first > 0.0 { law.first } else { f64::INFINITY });
         let (mut pull, mut bobs) = (None, true);
         for _ in 0..self.most_steps(pose, t) {

@@ -1,6 +1,5 @@
-//! The parts of all liquids that a body displaces, in closed form. Between kinks, where a side of the body passes one of a liquid, width and height
-//! within a liquid are linear in x and y: buoyancy and drag are bilinear; the waves of each surface that cuts the body come besides. [`Displaced`]
-//! has these forms and the box of places in which they are the law; a little beyond it they go on smoothly, as integrators need.
+//! The parts of all liquids that a body displaces. Between kinks, where a side of it passes one of a liquid, buoyancy and drag are bilinear in x, y;
+//! waves of each surface that cuts it come besides. [`Displaced`] has these forms and the places in which they hold; beyond they go on smoothly.
 
 use crate::physics::data::{Aabb, Body, Cubic, FluidDef, WAVES, earliest};
 use crate::physics::forces::{media::Media, zones::ZoneList};

@@ -95,8 +95,7 @@ impl Media {
 
     /// Rate at which the body's motion changes its acceleration within `t` seconds, 1/s: an explicit step has to resolve it.
     pub fn rate(&self, body: &Body, law: &Law, (x, v): Pose, t: f64) -> f64 {
-        let of =
-            |drag: &Drag, linear: f64, stiffness: f64| linear + drag.rate(v) + drag.rate(law.constant).sqrt() + stiffness.sqrt();
+        let of = |drag: &Drag, linear: f64, lift: f64| linear + drag.rate(v) + drag.rate(law.constant).sqrt() + lift.sqrt();
         if !law.is_near_liquid() {
             return of(&law.air, 0.0, 0.0);
         }

@@ -146,10 +146,7 @@ impl Link {
 
     /// The growth of its length in a tick of `dt` seconds, m/s: no length ends below 0.
     pub(crate) fn growth(&self, dt: f64) -> f64 {
-        match self.law.length() {
-            Some(length) if self.winds && self.acts() => self.def.rate.max(-length / dt),
-            _ => 0.0,
-        }
+        self.law.length().filter(|_| self.winds && self.acts()).map_or(0.0, |length| self.def.rate.max(-length / dt))
     }
 
     /// As it was `time` seconds before the end of a tick of `dt` seconds.
