@@ -64,8 +64,7 @@ impl Reactions {
             }
         }
         self.by_group.clear();
-        let group_of = |contact: &Contact| first(leader, contact.ends().0 as usize) as u32;
-        self.by_group.extend(contacts.iter().map(group_of).zip(0..));
+        self.by_group.extend(contacts.iter().map(|contact: &Contact| first(leader, contact.ends().0 as usize) as u32).zip(0..));
         if self.by_group.iter().all(|&(group, _)| group == self.by_group[0].0) {
             return 1;
         }

@@ -53,8 +53,7 @@ impl Events {
         contact.lasts = self.contacts_of(contact.lo).any(|known| known.has(contact.hi));
         contact.closed |= contact.lasts || met;
         // What has just come together by a hair's breadth has done so, whatever pulls at it alone.
-        let grazes = met && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact));
-        contact.clings = grazes || self.clings(scene, &contact);
+        contact.clings = met && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact)) || self.clings(scene, &contact);
         for item in contact.pair().into_iter().filter(|_| contact.clings) {
             self.items[item as usize].clung += 1;
             self.guards.clinging_given_up += u64::from(self.items[item as usize].clung == MAX_CLINGS + 1);

@@ -197,12 +197,10 @@ impl Events {
 
     /// When within a step of `h` seconds a body enters or leaves a liquid, or the law of a link bends; `h` where nothing does.
     fn first_kink(&self, scene: &Scene, h: f64) -> f64 {
-        let of = self.coupled.iter().zip(&self.concerned);
-        let course = |step: &CoupledStep| {
+        let kinks = self.coupled.iter().zip(&self.concerned).filter_map(|(step, i)| {
             let ((x, v), (way, w)) = (step.start, step.end);
-            Cubic::hermite(x, v, x + way, w, h)
-        };
-        let kinks = of.filter_map(|(step, i)| self.items[*i as usize].law.displaced.end_of(&course(step), h));
+            self.items[*i as usize].law.displaced.end_of(&Cubic::hermite(x, v, x + way, w, h), h)
+        });
         let mut first = kinks.fold(h, f64::min);
         for link in self.links.iter().filter(|link| link.acts()) {
             // Which law holds, and whether it is beyond what it bears.

@@ -37,8 +37,7 @@ impl Events {
         }
         if solves {
             self.contacts.sort_unstable_by_key(Contact::ends);
-            let parts = Parts { masses: &self.masses, free: &self.free };
-            self.reactions.accelerate(&mut self.contacts, &parts, &mut self.solved);
+            self.reactions.accelerate(&mut self.contacts, &Parts { masses: &self.masses, free: &self.free }, &mut self.solved);
             self.items[..self.movable].iter_mut().zip(&self.solved).for_each(|(item, solved)| item.solved = *solved);
         }
         self.release();

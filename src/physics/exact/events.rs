@@ -26,8 +26,7 @@ impl<'a> Scene<'a> {
         let surface = &self.surfaces[item.id as usize];
         let point = if at < item.stops_at { surface.at(at) } else { surface.at(item.stops_at).at_rest() };
         item.since = at;
-        let end = if at < item.stops_at { item.stops_at } else { f64::INFINITY };
-        item.until = (at + point.lasts).min(end).min(self.tick);
+        item.until = (at + point.lasts).min(if at < item.stops_at { item.stops_at } else { f64::INFINITY }).min(self.tick);
         (item.body.position, item.body.velocity) = (point.offset, point.velocity);
         (item.solved, item.mean) = (point.acceleration, point.acceleration);
         let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;

@@ -68,8 +68,7 @@ impl Events {
             self.places[body][axis] = self.places[ground][axis] + side * reach;
         } else if gap.abs() > 1e-12 {
             let share = [(lo, gap), (hi, -gap)].map(|(item, way)| {
-                let stands = self.find_behind(item as u32, way, contact);
-                if stands { 0.0 } else { 1.0 / self.items[item].body.mass }
+                if self.find_behind(item as u32, way, contact) { 0.0 } else { 1.0 / self.items[item].body.mass }
             });
             let sum = share[0] + share[1];
             if sum > 0.0 {

@@ -27,8 +27,7 @@ fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
     // Rate × time, and the shortest part of a tick. Each foresight near liquids costs many times as much.
     let (reach, shortest) = if wet { (0.5, SHORTEST) } else { (0.1, 1.0 / 256.0) };
     let pose = (item.body.position, item.body.velocity);
-    let rate = scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since);
-    let (mut long, least) = (reach / rate, scene.tick * shortest);
+    let (mut long, least) = (reach / scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since), scene.tick * shortest);
     if wet {
         // The path has a kink where half of the body has entered a liquid: half of the time to that.
         long = long.min((item.body.half / pose.1.abs()).min_element() * 0.5);
@@ -97,8 +96,7 @@ impl Events {
             self.solved[i] = self.free[i];
         }
         self.take_contacts_of_concerned();
-        let parts = Parts { masses: &self.masses, free: &self.free };
-        self.reactions.accelerate(&mut self.trial, &parts, &mut self.solved);
+        self.reactions.accelerate(&mut self.trial, &Parts { masses: &self.masses, free: &self.free }, &mut self.solved);
         let solved = std::mem::take(&mut self.trial);
         self.stop_surfaces(scene, &solved, |events, surface| events.free[surface as usize]);
         self.trial = solved;
@@ -285,8 +283,7 @@ impl Events {
                 *response = there;
                 self.masses[i] = (there + 1.0) * item.body.mass;
             }
-            let forced = scene.media.acceleration(&item.body, &item.law, x, v);
-            self.free[i] = (forced + *response * a) / (*response + 1.0);
+            self.free[i] = (scene.media.acceleration(&item.body, &item.law, x, v) + *response * a) / (*response + 1.0);
             *mean = a;
         }
         self.solve_means();
@@ -297,8 +294,7 @@ impl Events {
     pub(crate) fn solve_means(&mut self) {
         self.means.clone_from(&self.free);
         self.asked.clone_from(&self.trial);
-        let parts = Parts { masses: &self.masses, free: &self.free };
-        self.reactions.accelerate(&mut self.asked, &parts, &mut self.means);
+        self.reactions.accelerate(&mut self.asked, &Parts { masses: &self.masses, free: &self.free }, &mut self.means);
     }
 
     pub(crate) fn renew(&mut self, scene: &Scene, i: usize) {

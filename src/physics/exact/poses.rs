@@ -78,8 +78,7 @@ impl Events {
         contact.rub_with(first.body.coefficients().with(second.body.coefficients(), on_surface));
         if on_surface {
             // Clockwise: the top runs to the right, the right side down.
-            let above_or_right = (axis == 1) == (lo < hi);
-            contact.skin = if above_or_right { second.belt } else { -second.belt };
+            contact.skin = if (axis == 1) == (lo < hi) { second.belt } else { -second.belt };
         }
         contact
     }

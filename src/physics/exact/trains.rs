@@ -2,8 +2,7 @@
 
 use crate::physics::data::{Aabb, Contact, Cubic, DAMPED_REACH, MANY_HITS, NONE, SHORT_BOUNCE, SLOP, Sides, on_axis};
 use crate::physics::exact::train::{BounceSeries, Train, TrainKind, Wedge};
-use crate::physics::exact::{events::Events, events::Scene, motions::SHORTEST};
-use crate::physics::forces::zones;
+use crate::physics::{exact::events::Events, exact::events::Scene, exact::motions::SHORTEST, forces::zones};
 use glam::DVec2;
 
 impl Events {
@@ -202,8 +201,7 @@ impl Events {
         }
         self.concern(item);
         for slot in self.incident.slots(item as usize) {
-            let contact = self.contacts[self.incident.list[slot] as usize];
-            let touching = self.touch(scene, contact, false);
+            let touching = self.touch(scene, self.contacts[self.incident.list[slot] as usize], false);
             self.touching.push(touching);
         }
     }

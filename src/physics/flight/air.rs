@@ -10,8 +10,7 @@
 //! Places follow from velocities, accelerations and their rates j = (2s² − σ)·u − s·A at both ends by two-point Hermite quadrature of sixth order,
 //! x = ½h(u₀ + u₁) + h²/10·(a₀ − a₁) + h³/120·(j₀ + j₁). A body with h·s or h·√s(A) beyond [`LIGHT`] takes several steps.
 
-use crate::physics::data::{Pose, TERMINAL_TOLERANCE, parabola};
-use crate::physics::forces::air::Drag;
+use crate::physics::{data::Pose, data::TERMINAL_TOLERANCE, data::parabola, forces::air::Drag};
 use glam::DVec2;
 
 /// The largest h·s and h·√s(A) of one step. Larger: errors of position above 1e-9 m a metre; smaller: more bodies take several steps.

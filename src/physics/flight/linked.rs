@@ -270,8 +270,7 @@ impl LinkedBodies<'_> {
             for member in &mut *self.members {
                 let rates = member.rates_in(self.media, self.bodies);
                 if step < count {
-                    let next = along(&member.before, &rates, 2.0 * part);
-                    member.before = std::mem::replace(&mut member.end, next);
+                    member.before = std::mem::replace(&mut member.end, along(&member.before, &rates, 2.0 * part));
                 } else {
                     let smooth = along(&member.before, &rates, part);
                     member.end = std::array::from_fn(|i| (smooth[i] + member.end[i]) * 0.5);

@@ -77,8 +77,7 @@ fn bobs_by(media: &Media, body: &Body, law: &Law, t: f64) -> Option<(Bob, Vertic
     if v.y == 0.0 || law.rough || !law.displaced.holds(x) {
         return None;
     }
-    let regime = law.around(media, body);
-    let (vertical, bath) = regime.vertical(law.constant, x, v)?;
+    let (vertical, bath) = law.around(media, body).vertical(law.constant, x, v)?;
     let drag = rate_of_drag(&bath, DVec2::new(law.constant.x, law.constant.y - bath.lift), v);
     let bobs = bath.stiffness.sqrt();
     let slow = 16.0 * bath.rounding(law.constant, body, x.y) / bobs;
@@ -197,8 +196,7 @@ impl<'a> Swimmer<'a> {
             let r = v.y + h * (constant.y - lift) + h * h * stiffness * down;
             let guess = 2.0 * r / (p + (p * p + 4.0 * q * r.abs()).sqrt());
             // Across kinks Newton's method may lead to and fro: after four trials every other one halves the bracket.
-            let inside = guess > low && guess < high && (trial < 4 || trial % 2 == 0);
-            let next = if inside { guess } else { 0.5 * (low + high) };
+            let next = if guess > low && guess < high && (trial < 4 || trial % 2 == 0) { guess } else { 0.5 * (low + high) };
             found = (next - down).abs() <= tolerance * down.abs();
             down = next;
             if found {

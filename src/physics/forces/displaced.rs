@@ -294,11 +294,10 @@ impl Displaced {
     /// The sum `of` all surfaces that cut the body.
     pub fn over_cuts<T: Default + AddAssign>(&self, media: &Media, body: &Body, of: impl Fn(&Cut) -> T) -> T {
         let mut sum = T::default();
-        if let Some(cut) = &self.cut {
-            sum += of(cut);
-            let more = self.more.iter().filter_map(|index| self.surface(media, body, &media.fluids[index as usize]));
-            more.for_each(|cut| sum += of(&cut));
-        }
+        let Some(cut) = &self.cut else { return sum };
+        sum += of(cut);
+        let more = self.more.iter().filter_map(|index| self.surface(media, body, &media.fluids[index as usize]));
+        more.for_each(|cut| sum += of(&cut));
         sum
     }
     fn surface(&self, media: &Media, body: &Body, fluid: &FluidDef) -> Option<Cut> {

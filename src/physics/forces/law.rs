@@ -106,8 +106,7 @@ impl Media {
         }
         // As if the body were wholly inside all liquids nearby.
         let sum = |sum: (f64, f64), fluid: &FluidDef| (sum.0 + fluid.density, sum.1 + fluid.viscosity);
-        let near = law.displaced.liquids.iter().map(|index| &self.fluids[index as usize]);
-        let (density, viscosity) = near.fold((0.0, 0.0), sum);
+        let (density, viscosity) = law.displaced.liquids.iter().map(|index| &self.fluids[index as usize]).fold((0.0, 0.0), sum);
         let stiffness = density * self.gravity.abs() * 2.0 * body.half.x / body.mass;
         let linear = STOKES * viscosity * (body.half.x + body.half.y) / body.mass + 2.0 * WAVES * body.drag * stiffness.sqrt();
         of(&law.air.plus(&Drag::of(body, density)), linear, stiffness)
