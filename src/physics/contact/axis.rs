@@ -56,8 +56,7 @@ impl Joined {
             let speed = |item: u32| rate(parts, item, axis, skin);
             // What parts as slowly across its face clings: alone it would be pulled back, and make the slide begin again, less and less without end.
             let rounding = if contact.axis == axis { MICRO_SPEED } else { SPEED_TOLERANCE };
-            let alike = (speed(contact.hi) - speed(contact.lo)).abs() <= rounding;
-            if alike || contact.is_of(stopped.lo, stopped.hi) {
+            if (speed(contact.hi) - speed(contact.lo)).abs() <= rounding || contact.is_of(stopped.lo, stopped.hi) {
                 let [lo, hi] = contact.pair().map(|item| self.node_of[item as usize]);
                 network.link(lo, hi, Carries::UpTo(f64::INFINITY), ground(contact, parts, axis, skin));
             }
@@ -159,8 +158,7 @@ impl Joined {
             let contact = &mut contacts[index as usize];
             if contact.axis == axis {
                 // Contacts that cling may be held back by next to nothing: an impulse, too.
-                let both_ways = question == Question::Impulses && contact.clings;
-                contact.normal = if both_ways { link.flow } else { link.flow.max(0.0) };
+                contact.normal = if question == Question::Impulses && contact.clings { link.flow } else { link.flow.max(0.0) };
                 continue;
             }
             contact.friction = link.flow;

@@ -1,5 +1,4 @@
-//! Contact forces. Each axis is a network solved exactly; Coulomb's law couples them. Gravity's axis goes first, then the other with the friction that
-//! follows, and round again only where a contact slides along a wall that it is pressed against. With velocities it is the perfectly plastic impact.
+//! Contact forces: each axis a network solved exactly, coupled by Coulomb's law, gravity's first. With velocities it is the perfectly plastic impact.
 
 use crate::physics::contact::axis::{Joined, Parts, Question, ground};
 use crate::physics::data::{Contact, FORCE_TOLERANCE, FRICTION_ROUNDS, first, on_axis};
@@ -65,8 +64,7 @@ impl Reactions {
             }
         }
         self.by_group.clear();
-        let group_of = |contact: &Contact| first(leader, contact.ends().0 as usize) as u32;
-        self.by_group.extend(contacts.iter().map(group_of).zip(0..));
+        self.by_group.extend(contacts.iter().map(|contact: &Contact| first(leader, contact.ends().0 as usize) as u32).zip(0..));
         if self.by_group.iter().all(|&(group, _)| group == self.by_group[0].0) {
             return 1;
         }

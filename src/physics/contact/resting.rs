@@ -36,8 +36,7 @@ impl RestingGroup {
                 }
             }
             let node = |item: u32| if (item as usize) < forces.len() { item } else { GROUND };
-            let limit = contact.static_friction * contact.normal;
-            let carries = if contact.axis == 0 { Carries::Push } else { Carries::UpTo(limit) };
+            let carries = if contact.axis == 0 { Carries::Push } else { Carries::UpTo(contact.static_friction * contact.normal) };
             network.link(node(contact.lo), node(contact.hi), carries, 0.0);
             if let Some(link) = network.links.last_mut() {
                 link.flow = *contact.along(0);

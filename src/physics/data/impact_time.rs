@@ -1,5 +1,4 @@
-//! When two boxes meet: where the distance of their centres along one axis falls to the sum of their halves while they overlap along the other.
-//! Crossings are bracketed on the monotone pieces of cubics and found by Newton's method inside the bracket: none is missed at any speed.
+//! When two boxes meet: crossings are bracketed on the monotone pieces of cubics and found by Newton's method inside: none is missed at any speed.
 
 use crate::physics::data::{aabb::Aabb, surface::Sides, tuning::SLOP, tuning::SPEED_TOLERANCE};
 use glam::DVec2;

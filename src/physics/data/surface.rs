@@ -1,5 +1,4 @@
-//! Surfaces: what is solid and moves for nobody. A path is a chain of *legs* of constant acceleration: a time of impact on a surface is the root of a
-//! polynomial as between any two bodies. No body changes a path; its clock stands still while the surface waits.
+//! Surfaces: what is solid and moves for nobody, on *legs* of constant acceleration, so that times of impact are roots of polynomials there as well.
 
 use crate::physics::data::domain::{self, DefError, LARGEST, expect, number, rectangle, vector};
 use crate::physics::data::{aabb::Aabb, material::Material};

@@ -7,19 +7,16 @@ pub(crate) const SLOP: f64 = 1e-9;
 /// How often in one tick a body that parts by less than [`MICRO_SPEED`] is taken to stay; friction on its other side may draw it away after that.
 pub(crate) const MAX_CLINGS: u32 = 32;
 
-/// How often in a tick one body may turn back across borders of streams, within a 64th of it after its last event; then it keeps the streams that it
-/// feels. More: what a stream blows out and a liquid drives back uses up its island's budget; fewer: a bounce inside a narrow stream misses it.
+/// Turns of a body across borders of streams in a tick, soon after an event. More: they use up the budget; fewer: bounces in narrow ones are missed.
 pub(crate) const MOST_BORDERS: u32 = 4;
 
 /// Relative to the largest force of a block: no force left over. Smaller: rounding splits resting blocks; larger: an anvil takes a feather with it.
 pub(crate) const FORCE_TOLERANCE: f64 = 1e-12;
 
-/// m/s. Bodies whose speeds differ by less when a slide ends move as one, and those that meet more slowly graze. Smaller: rounding makes impacts and
-/// parts what slid to rest; larger: slow slides end early.
+/// m/s. Differences of speed that a slide ends with, and in which what meets grazes. Smaller: rounding makes impacts; larger: slow slides end early.
 pub(crate) const SPEED_TOLERANCE: f64 = 1e-11;
 
-/// Relative to the faster of two bodies in contact: slower sliding is the rounding of a plastic solve. As a slide it would end after 1e-18 s, and come
-/// back, thousands of times a tick. Of something at rest it is nothing: what has stopped has stopped exactly.
+/// Relative to the faster of two bodies in contact: slower sliding is rounding, which as a slide would end and come back thousands of times a tick.
 pub(crate) const SPEED_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// m/s. Things that part more slowly and are pulled together again rest on each other: they would part by 1e-13 m for 0.1 µs, again and again.
@@ -37,8 +34,7 @@ pub(crate) const BALANCED: f64 = 1e-9;
 /// m. Error of one step of linked bodies, by its estimate, of the row before. Larger: a swing loses over 1e-9 of its energy in a thousand periods.
 pub(crate) const LINKED_TOLERANCE: f64 = 1e-14;
 
-/// Shortest step of linked bodies, in parts of a tick, and s: shorter ones are taken whatever their error. Shorter: kinks of drag, and links of the
-/// greatest stiffness, take a millisecond; longer: those are unstable.
+/// Shortest steps of linked bodies, in parts of a tick, and s, whatever their error. Shorter: kinks of drag take a millisecond; longer: unstable.
 pub(crate) const SHORTEST_LINKED: f64 = 4096.0;
 pub(crate) const LONGEST_SHORT: f64 = 1e-6;
 
@@ -57,8 +53,7 @@ pub(crate) const BOBBING_REACH: f64 = 0.7;
 /// Damping ratio afloat at the waterline, per unit of C_d. Smaller: 300 kg on water bob for over a minute; larger: a splash calms within one bob.
 pub(crate) const WAVES: f64 = 0.15;
 
-/// Hits in one tick: where both ends of a contact have had more, it bounces no more, or inelastic collapse, a rattle and a gap that a surface closes
-/// would never end. Larger: they use up the budget of events of their island; smaller: fast bodies in a narrow gap lose speed.
+/// Hits in a tick of both ends after which a contact bounces no more. Larger: rattles use up the budget; smaller: fast bodies in a gap lose speed.
 pub(crate) const MOST_BOUNCES: u32 = 128;
 
 /// s. Bounces that take no longer go on as one train. Longer: other things end more trains; shorter: more events, which use up the island's budget.
@@ -80,8 +75,7 @@ pub(crate) const EDGE_THICKNESS: f64 = 100.0;
 /// is off by more than a tenth; smaller: a light body that bounces in front of something heavy does so a hundred times before a train begins.
 pub(crate) const DAMPED_REACH: f64 = 0.1;
 
-/// Events of an island in a tick, for each of its bodies and for 108 more; an event counts once, and once for each body that it concerns.
-/// Larger: the worst tick lasts longer; smaller: a crowd's step takes ticks into which fewer impacts fall.
+/// Events of an island in a tick for each of its bodies and 108 more. Larger: the worst tick lasts longer; smaller: more ticks take the crowd step.
 pub(crate) const EVENTS_OF_A_BODY: u64 = 20;
 
 /// m. How far a cubic may be beside the flow that it follows, and how deep bodies meet. Larger: beside their ways; smaller: ways of more parts.
@@ -93,6 +87,5 @@ pub(crate) const EQUAL_SPEED: f64 = 1e-10;
 /// Relative to the largest force among joined bodies: what pulls at a light one. Smaller: rounding is more; larger: two of a kind are treated apart.
 pub(crate) const LIGHT: f64 = 1e-3;
 
-/// An island of more bodies than this does with fewer rounds across where some of it bounces, and keeps friction that turns round within a step:
-/// something in it never settles. Larger: slower, and heaps creep; smaller: more friction acts a step late, and may drive a light body.
+/// Larger islands do with fewer rounds across, and keep friction that turns in a step. Larger: heaps creep; smaller: friction acts a step late.
 pub(crate) const MANY: usize = 256;

@@ -53,13 +53,10 @@ impl Events {
         contact.lasts = self.contacts_of(contact.lo).any(|known| known.has(contact.hi));
         contact.closed |= contact.lasts || met;
         // What has just come together by a hair's breadth has done so, whatever pulls at it alone.
-        let grazes = met && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact));
-        contact.clings = grazes || self.clings(scene, &contact);
-        if contact.clings {
-            for item in [contact.lo, contact.hi] {
-                self.items[item as usize].clung += 1;
-                self.guards.clinging_given_up += u64::from(self.items[item as usize].clung == MAX_CLINGS + 1);
-            }
+        contact.clings = met && (-MICRO_SPEED..=0.0).contains(&self.approach(&contact)) || self.clings(scene, &contact);
+        for item in contact.pair().into_iter().filter(|_| contact.clings) {
+            self.items[item as usize].clung += 1;
+            self.guards.clinging_given_up += u64::from(self.items[item as usize].clung == MAX_CLINGS + 1);
         }
         contact
     }
@@ -89,8 +86,7 @@ impl Events {
         }
     }
 
-    /// Lists what lasting contacts have passed on in this tick beyond their forces at its start and end: of what came and went. Media change a force
-    /// all the time.
+    /// Lists what lasting contacts have passed on in this tick beyond their forces at its ends. Media change a force all the time.
     pub(crate) fn list_surplus(&mut self, scene: &Scene) {
         for index in 0..self.contacts.len() {
             let contact = self.contacts[index];

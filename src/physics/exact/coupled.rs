@@ -1,5 +1,4 @@
-//! What links join, or contacts in media, and moves: Runge–Kutta steps of fifth or third order with a contact solve at each stage, so that bodies that
-//! press on each other fly as one. A step ends where a liquid begins or ends, a link bends or breaks, or a contact begins to part or to slip.
+//! What links join, or contacts in media, as one: Runge–Kutta steps with a contact solve at each stage, up to a kink, a bend or a change of contacts.
 
 use crate::physics::data::{Contact, Cubic, FORCE_TOLERANCE, LONGEST_SHORT, Pose, SPEED_TOLERANCE};
 use crate::physics::exact::{events::Events, events::Scene, item::Item, item::Travel, motions::SHORTEST};
@@ -13,8 +12,7 @@ const TRIALS: u32 = 24;
 /// The shortest step to a kink, in parts of a tick. Longer: energy is gained where a rope becomes taut; shorter: roundings make many steps.
 const LEAST: f64 = SHORTEST * SHORTEST * SHORTEST;
 
-/// m. Error of a step, at most, without and with links. Larger: bodies that part for less than a step get into each other, and what swings on a crate
-/// at rest is off by 1e-9 m after a second.
+/// m. Most error of a step, without and with links. Larger: what parts for less than a step overlaps, and swings are off by 1e-9 m after a second.
 const MOST_ERROR: [f64; 2] = [1e-10, 1e-11];
 
 impl Events {
@@ -47,14 +45,9 @@ impl Events {
         let budget = self.budget() / 2;
         let tolerance = MOST_ERROR[usize::from(linked)];
         let least = scene.tick * LEAST;
-        let mut stride = f64::INFINITY;
-        let mut sliver = f64::INFINITY;
-        for &i in &self.concerned {
-            let [longest, at_once] = self.strides[i as usize];
-            (stride, sliver) = (stride.min(longest), sliver.min(at_once));
-        }
-        let mut h = longest.min(stride).min(sliver);
-        sliver = f64::INFINITY;
+        let least_of = |k: usize| self.concerned.iter().map(|i| self.strides[*i as usize][k]).fold(f64::INFINITY, f64::min);
+        let (mut stride, mut sliver) = (least_of(0), f64::INFINITY);
+        let mut h = longest.min(stride).min(least_of(1));
         let method = if !linked && self.error_of_third_order(scene, h) <= tolerance { &THIRD_ORDER } else { &FIFTH_ORDER };
         while self.count + self.reactions.solved <= budget {
             let solved = self.reactions.solved;
@@ -70,8 +63,12 @@ impl Events {
             if changes && h > least {
                 // In a heap that falls apart the search takes longer than all else.
                 self.count += u64::from(TRIALS) * (self.concerned.len() as u64 / 8);
-                let solved = self.reactions.solved;
-                let (holds, over) = self.find_change(scene, method, h, afloat);
+                let (mut holds, mut over) = (0.0, h);
+                for _ in 0..TRIALS {
+                    let middle = 0.5 * (holds + over);
+                    self.step_coupled(scene, method, middle, afloat);
+                    *(if self.changed { &mut over } else { &mut holds }) = middle;
+                }
                 self.reactions.solved = solved;
                 // The step ends just before that instant, and the next one just behind it.
                 (h, sliver) = if holds > least { (holds, over - holds) } else { (least, f64::INFINITY) };
@@ -91,17 +88,6 @@ impl Events {
             }
         }
         None
-    }
-
-    /// The last of the times, s, up to which contacts hold, and the first at which they do not.
-    fn find_change(&mut self, scene: &Scene, method: &RungeKutta, h: f64, afloat: bool) -> (f64, f64) {
-        let (mut holds, mut over) = (0.0, h);
-        for _ in 0..TRIALS {
-            let middle = 0.5 * (holds + over);
-            self.step_coupled(scene, method, middle, afloat);
-            *(if self.changed { &mut over } else { &mut holds }) = middle;
-        }
-        (holds, over)
     }
 
     /// Whether what floats in contact bobs by less than the rounding of its forces. It is at rest along gravity then.
@@ -211,12 +197,10 @@ impl Events {
 
     /// When within a step of `h` seconds a body enters or leaves a liquid, or the law of a link bends; `h` where nothing does.
     fn first_kink(&self, scene: &Scene, h: f64) -> f64 {
-        let of = self.coupled.iter().zip(&self.concerned);
-        let course = |step: &CoupledStep| {
+        let kinks = self.coupled.iter().zip(&self.concerned).filter_map(|(step, i)| {
             let ((x, v), (way, w)) = (step.start, step.end);
-            Cubic::hermite(x, v, x + way, w, h)
-        };
-        let kinks = of.filter_map(|(step, i)| self.items[*i as usize].law.displaced.end_of(&course(step), h));
+            self.items[*i as usize].law.displaced.end_of(&Cubic::hermite(x, v, x + way, w, h), h)
+        });
         let mut first = kinks.fold(h, f64::min);
         for link in self.links.iter().filter(|link| link.acts()) {
             // Which law holds, and whether it is beyond what it bears.

@@ -37,8 +37,7 @@ impl Events {
         }
         if solves {
             self.contacts.sort_unstable_by_key(Contact::ends);
-            let parts = Parts { masses: &self.masses, free: &self.free };
-            self.reactions.accelerate(&mut self.contacts, &parts, &mut self.solved);
+            self.reactions.accelerate(&mut self.contacts, &Parts { masses: &self.masses, free: &self.free }, &mut self.solved);
             self.items[..self.movable].iter_mut().zip(&self.solved).for_each(|(item, solved)| item.solved = *solved);
         }
         self.release();
@@ -52,8 +51,7 @@ impl Events {
             let parts = !(self.stays(&contact) || self.rides(&contact));
             if parts {
                 self.trial.push(self.contacts.remove(index));
-                self.items[contact.lo as usize].known = false;
-                self.items[contact.hi as usize].known = false;
+                contact.pair().iter().for_each(|item| self.items[*item as usize].known = false);
             }
             let rate = |item: u32| self.items[item as usize].solved[1 - contact.axis];
             // What friction drives back has stopped just now; what has given way just now is driven on.
@@ -64,8 +62,7 @@ impl Events {
             }
             if parts || turns {
                 // What else they touch carries something else now.
-                self.concern(contact.lo);
-                self.concern(contact.hi);
+                contact.pair().into_iter().for_each(|item| self.concern(item));
             }
         }
         self.list_ends(scene, true);

@@ -26,8 +26,7 @@ impl<'a> Scene<'a> {
         let surface = &self.surfaces[item.id as usize];
         let point = if at < item.stops_at { surface.at(at) } else { surface.at(item.stops_at).at_rest() };
         item.since = at;
-        let end = if at < item.stops_at { item.stops_at } else { f64::INFINITY };
-        item.until = (at + point.lasts).min(end).min(self.tick);
+        item.until = (at + point.lasts).min(if at < item.stops_at { item.stops_at } else { f64::INFINITY }).min(self.tick);
         (item.body.position, item.body.velocity) = (point.offset, point.velocity);
         (item.solved, item.mean) = (point.acceleration, point.acceleration);
         let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;
@@ -181,14 +180,6 @@ impl Events {
         refill(&mut self.borders, if self.streams.is_empty() { 0 } else { self.movable }, ZoneList::default());
     }
 
-    pub(crate) fn turn(&mut self, scene: &Scene, i: usize) {
-        self.set_out(scene, i);
-        self.predict(scene, i);
-        if !self.concerned.is_empty() {
-            self.look(scene);
-        }
-    }
-
     pub(crate) fn halt(&mut self, scene: &Scene, surface: u32) {
         self.guards.surfaces_stopped += 1;
         self.halted = true;
@@ -197,7 +188,7 @@ impl Events {
         self.set_out(scene, surface as usize);
     }
 
-    fn set_out(&mut self, scene: &Scene, i: usize) {
+    pub(super) fn set_out(&mut self, scene: &Scene, i: usize) {
         scene.set_on_path(&mut self.items[i], self.now);
         self.foresee(scene, i);
         self.nexts[i] = Next::NEVER;

@@ -1,5 +1,4 @@
-//! Impacts in rounds, the fastest first, until nothing approaches (`docs/physics.md`, Impacts and their order). In a round no body is struck twice, but
-//! by hits that tie.
+//! Impacts in rounds, the fastest first (`docs/physics.md`, Impacts and their order). In a round no body is struck twice, but by hits that tie.
 
 use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
 use crate::physics::data::{Aabb, BodyId, Contact, EQUAL_SPEED, Hit, Impulse, Obstacle, Part, SLOP, called, on_axis};
@@ -20,8 +19,7 @@ impl Events {
                 self.struck.fill([false; 2]);
                 continue;
             }
-            let corner = self.closing_at_a_corner(&self.touching[index], speed).is_some();
-            if e == 0.0 && !corner {
+            if e == 0.0 && self.closing_at_a_corner(&self.touching[index], speed).is_none() {
                 self.stop_together(scene);
                 break;
             }
@@ -58,8 +56,7 @@ impl Events {
         self.asked.iter_mut().for_each(|contact| contact.clings = false);
         self.before.clone_from(&self.speeds);
         self.means.clone_from(&self.speeds);
-        let parts = Parts { masses: &self.masses, free: &self.before };
-        self.reactions.collide(&mut self.asked, &parts, &mut self.means);
+        self.reactions.collide(&mut self.asked, &Parts { masses: &self.masses, free: &self.before }, &mut self.means);
         let any = self.stop_surfaces(scene, &touching, Self::speed);
         self.touching = touching;
         any
@@ -72,8 +69,7 @@ impl Events {
         let mut may_cling = true;
         for _ in 0..=touching.len() + 1 {
             self.before.clone_from(&self.speeds);
-            let parts = Parts { masses: &self.masses, free: &self.before };
-            self.reactions.collide(&mut touching, &parts, &mut self.speeds);
+            self.reactions.collide(&mut touching, &Parts { masses: &self.masses, free: &self.before }, &mut self.speeds);
             if !self.reactions.joined.squeezed.is_empty() && touching.iter().any(|contact| contact.clings) {
                 // What clings gives way: only what cannot squeezes.
                 touching.iter_mut().for_each(|contact| contact.clings = false);
@@ -90,8 +86,7 @@ impl Events {
             for contact in &mut touching {
                 self.note_plastic(scene, contact);
                 if may_cling && !contact.clings && self.clings(scene, contact) {
-                    contact.clings = true;
-                    lifted = true;
+                    (contact.clings, lifted) = (true, true);
                 }
             }
             if !lifted {

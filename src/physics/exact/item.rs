@@ -26,14 +26,6 @@ pub(crate) struct Slide {
     pub friction: f64,
 }
 
-impl Slide {
-    /// Acceleration of the body from the one that it would have without the contact, m/s².
-    fn hold(&self, free: DVec2) -> DVec2 {
-        let normal = (-self.away * free[self.axis]).max(0.0);
-        on_axis(self.axis, 0.0, free[1 - self.axis] - self.friction * normal)
-    }
-}
-
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum EventKind {
     /// Nothing before the end of the tick.
@@ -166,12 +158,16 @@ impl Item {
         // Rate × time of 0.02 a step leaves 1e-9 m after some metres. A path that is foreseen at once takes 25 steps.
         let steps = (reach / 0.02).ceil().clamp(1.0, 64.0);
         let mut regime = self.law.is_near_liquid().then(|| self.law.regime(media, &self.body, pose.0));
-        let mut pull = |x: DVec2, v: DVec2| match &mut regime {
-            Some(regime) => regime.follow(x).acceleration(x, v),
-            None => media.acceleration(&self.body, &self.law, x, v),
+        let mut pull = |x: DVec2, v: DVec2| {
+            let free = match &mut regime {
+                Some(regime) => regime.follow(x).acceleration(x, v),
+                None => media.acceleration(&self.body, &self.law, x, v),
+            };
+            let normal = (-slide.away * free[slide.axis]).max(0.0);
+            on_axis(slide.axis, 0.0, free[1 - slide.axis] - slide.friction * normal)
         };
         for _ in 0..steps as u32 {
-            pose = rk4(pose, t / steps, |x, v| slide.hold(pull(x, v)));
+            pose = rk4(pose, t / steps, &mut pull);
         }
         // Across the face it moves evenly: far from the origin the steps would lead it away by their roundings.
         pose.0[slide.axis] = self.body.position[slide.axis] + self.body.velocity[slide.axis] * t;
@@ -268,9 +264,7 @@ impl Track {
     }
 
     pub fn bounds_at(&self, at: f64) -> Aabb {
-        let t = at - self.since;
-        let [x, v, a, j] = self.way.c;
-        Aabb::around(x + (v + (a + j * t) * t) * t, self.half + self.rounding)
+        Aabb::around(self.way_from(at).c[0], self.half + self.rounding)
     }
 }
 

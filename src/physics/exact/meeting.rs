@@ -51,8 +51,7 @@ impl Events {
         place(contact.hi) - place(contact.lo) - self.reach_of(contact)
     }
 
-    /// Takes away the gap or overlap of two items that meet now, shared as their masses say; a surface gives way to nothing, and neither does a
-    /// body that stands against one. Bodies behind the one that gives way go with it.
+    /// Takes away the gap or overlap of two that meet now, by their masses, with all behind them; no surface, nor what stands against one, gives way.
     pub(crate) fn close(&mut self, scene: &Scene, contact: &Contact) {
         let (lo, hi, axis) = (contact.lo as usize, contact.hi as usize, contact.axis);
         let reach = self.reach_of(contact);
@@ -69,8 +68,7 @@ impl Events {
             self.places[body][axis] = self.places[ground][axis] + side * reach;
         } else if gap.abs() > 1e-12 {
             let share = [(lo, gap), (hi, -gap)].map(|(item, way)| {
-                let stands = self.find_behind(item as u32, way, contact);
-                if stands { 0.0 } else { 1.0 / self.items[item].body.mass }
+                if self.find_behind(item as u32, way, contact) { 0.0 } else { 1.0 / self.items[item].body.mass }
             });
             let sum = share[0] + share[1];
             if sum > 0.0 {

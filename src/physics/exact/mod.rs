@@ -1,6 +1,5 @@
-//! The method of events. Every item of an island (bodies, and the surfaces near them) has a path and a next event of its own; an event ends the paths
-//! of the items that it concerns and of no other (local clocks: Alder and Wainwright 1959): they are brought to its instant (`contacts`), `impacts` are
-//! resolved, contacts and `motions` follow, and next events are sought (`predict`). With too many of them the crowd step takes the island's tick.
+//! The method of events. Every body and surface of an island has a path and a next event of its own; an event ends the paths that it concerns (Alder
+//! and Wainwright 1959): `contacts` at its instant, `impacts`, `motions`, and what is next (`predict`). Too many leave the tick to the crowd step.
 
 pub(crate) mod contacts;
 pub(crate) mod coupled;
@@ -104,13 +103,8 @@ impl Events {
     }
 
     fn next_event(&self, scene: &Scene) -> Option<(usize, Next)> {
-        let mut first = (0, Next::NEVER);
-        for (i, next) in self.nexts.iter().enumerate() {
-            if next.at < first.1.at {
-                first = (i, *next);
-            }
-        }
-        (first.1.at <= scene.tick).then_some(first)
+        let due = self.nexts.iter().copied().enumerate().filter(|(_, next)| next.at <= scene.tick);
+        due.reduce(|first, next| if next.1.at < first.1.at { next } else { first })
     }
 
     fn is_void(&self, next: &Next) -> bool {
@@ -125,15 +119,13 @@ impl Events {
         for i in 0..bodies {
             self.solved[i] = self.items[i].solved;
             self.renew_law(scene, i);
+            if !self.items[i].known {
+                self.concern(i as u32);
+            }
         }
         for i in bodies..all {
             self.foresee(scene, i);
             self.nexts[i] = self.own_next(scene, i);
-        }
-        for i in 0..bodies {
-            if !self.items[i].known {
-                self.concern(i as u32);
-            }
         }
         let begun = self.concerned.is_empty() || self.look(scene);
         self.release();
@@ -172,7 +164,11 @@ impl Events {
             }
             EventKind::Begin { other } => self.concern(other),
             EventKind::Renew if i >= self.movable => {
-                self.turn(scene, i);
+                self.set_out(scene, i);
+                self.predict(scene, i);
+                if !self.concerned.is_empty() {
+                    self.look(scene);
+                }
                 return self.release();
             }
             EventKind::Renew if self.items[i].motion == Travel::Flow => {

@@ -1,5 +1,4 @@
-//! Motions after an event. A group in contact in media takes the mean acceleration of an implicit step: in `v′ = f − D·v − K·x` that is one contact
-//! solve with the masses M·(1 + θhD + θ²h²K), stable at any rate (`docs/physics.md`, Flight).
+//! Motions after an event. A group in contact in media takes implicit steps: a solve with masses M·(1 + θhD + θ²h²K) (`docs/physics.md`, Flight).
 
 use crate::physics::data::{BOBBING_REACH, Contact, Cubic, SPEED_TOLERANCE};
 use crate::physics::exact::events::{Events, Implicit, Scene};
@@ -13,8 +12,7 @@ pub(crate) const SHORTEST: f64 = 1.0 / 64.0;
 /// Trials for the length of an implicit step that ends at a kink. Fewer: light stacks gain energy where they leave a liquid.
 const KINK_TRIALS: u32 = 8;
 
-/// Corrections of an implicit step, and the speed (m/s) that a further one may change. Fewer, larger: a feather on a crate parts from it at its
-/// apex and gains energy; more, smaller: work for digits below the error of the step.
+/// Corrections of an implicit step; m/s that another may change. Fewer, larger: a feather parts from its crate at the apex; more, smaller: no gain.
 const PASSES: u32 = 4;
 /// Passes of Newton's method, which halve an overshoot each. Fewer: a body from rest in dense liquid overshoots. `flows_cut_short` counts more.
 const STEEP_PASSES: u32 = 32;
@@ -29,8 +27,7 @@ fn end_of_a_cubic(scene: &Scene, item: &Item) -> f64 {
     // Rate × time, and the shortest part of a tick. Each foresight near liquids costs many times as much.
     let (reach, shortest) = if wet { (0.5, SHORTEST) } else { (0.1, 1.0 / 256.0) };
     let pose = (item.body.position, item.body.velocity);
-    let rate = scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since);
-    let (mut long, least) = (reach / rate, scene.tick * shortest);
+    let (mut long, least) = (reach / scene.media.rate(&item.body, &item.law, pose, scene.tick - item.since), scene.tick * shortest);
     if wet {
         // The path has a kink where half of the body has entered a liquid: half of the time to that.
         long = long.min((item.body.half / pose.1.abs()).min_element() * 0.5);
@@ -99,8 +96,7 @@ impl Events {
             self.solved[i] = self.free[i];
         }
         self.take_contacts_of_concerned();
-        let parts = Parts { masses: &self.masses, free: &self.free };
-        self.reactions.accelerate(&mut self.trial, &parts, &mut self.solved);
+        self.reactions.accelerate(&mut self.trial, &Parts { masses: &self.masses, free: &self.free }, &mut self.solved);
         let solved = std::mem::take(&mut self.trial);
         self.stop_surfaces(scene, &solved, |events, surface| events.free[surface as usize]);
         self.trial = solved;
@@ -117,12 +113,10 @@ impl Events {
         for i in 0..self.items.len() {
             let item = &self.items[i];
             let stopped = i >= self.movable && item.stops_at <= self.now && item.since == self.now;
-            if self.is_concerned[i] || stopped {
-                if still {
-                    self.nexts[i] = self.own_next(scene, i);
-                } else {
-                    self.predict(scene, i);
-                }
+            match self.is_concerned[i] || stopped {
+                true if still => self.nexts[i] = self.own_next(scene, i),
+                true => self.predict(scene, i),
+                false => {}
             }
         }
     }
@@ -244,6 +238,7 @@ impl Events {
             let answer = scene.media.stiffness(&item.body, &item.law, item.body.position, item.body.velocity);
             let (drag, stiffness) = (answer.drag, DVec2::new(0.0, answer.lift));
             let rate = drag * h + stiffness * (h * h);
+            let theta = |rate: f64| if rate > 2.0 { 1.0 - 1.0 / rate } else { 0.5 };
             let theta = DVec2::new(theta(rate.x), theta(rate.y));
             let response = theta * drag * h + theta * theta * stiffness * (h * h);
             self.implicit.push(Implicit { theta, response, mean: DVec2::ZERO });
@@ -288,8 +283,7 @@ impl Events {
                 *response = there;
                 self.masses[i] = (there + 1.0) * item.body.mass;
             }
-            let forced = scene.media.acceleration(&item.body, &item.law, x, v);
-            self.free[i] = (forced + *response * a) / (*response + 1.0);
+            self.free[i] = (scene.media.acceleration(&item.body, &item.law, x, v) + *response * a) / (*response + 1.0);
             *mean = a;
         }
         self.solve_means();
@@ -300,8 +294,7 @@ impl Events {
     pub(crate) fn solve_means(&mut self) {
         self.means.clone_from(&self.free);
         self.asked.clone_from(&self.trial);
-        let parts = Parts { masses: &self.masses, free: &self.free };
-        self.reactions.accelerate(&mut self.asked, &parts, &mut self.means);
+        self.reactions.accelerate(&mut self.asked, &Parts { masses: &self.masses, free: &self.free }, &mut self.means);
     }
 
     pub(crate) fn renew(&mut self, scene: &Scene, i: usize) {
@@ -314,8 +307,4 @@ impl Events {
         self.foresee(scene, i);
         self.predict(scene, i);
     }
-}
-
-fn theta(rate: f64) -> f64 {
-    if rate > 2.0 { 1.0 - 1.0 / rate } else { 0.5 }
 }

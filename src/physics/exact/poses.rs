@@ -25,7 +25,6 @@ impl Events {
         }
     }
 
-    /// Concerns the other ends of the links of a body.
     pub(crate) fn concern_linked(&mut self, body: u32) {
         let Item { id, linked, .. } = self.items[body as usize];
         for at in 0..if linked { self.links.len() } else { 0 } {
@@ -59,8 +58,7 @@ impl Events {
     }
 
     pub(crate) fn stands(&self, surface: u32) -> bool {
-        let i = surface as usize;
-        self.speeds[i] == DVec2::ZERO && self.free[i] == DVec2::ZERO
+        self.speed(surface) == DVec2::ZERO && self.free[surface as usize] == DVec2::ZERO
     }
 
     /// What a belt adds to the velocity of `hi` relative to `lo` along a contact's face, m/s.
@@ -80,8 +78,7 @@ impl Events {
         contact.rub_with(first.body.coefficients().with(second.body.coefficients(), on_surface));
         if on_surface {
             // Clockwise: the top runs to the right, the right side down.
-            let above_or_right = (axis == 1) == (lo < hi);
-            contact.skin = if above_or_right { second.belt } else { -second.belt };
+            contact.skin = if (axis == 1) == (lo < hi) { second.belt } else { -second.belt };
         }
         contact
     }

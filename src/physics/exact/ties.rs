@@ -71,10 +71,7 @@ impl Events {
         ties.iter_mut().for_each(|tie| (tie.impulse, tie.left) = (0.0, tie.target));
         let mut last = 0.0;
         for step in 0..4 * ties.len() {
-            let mut size = 0.0;
-            for tie in &*ties {
-                size += tie.left * tie.left * self.reduced(&self.touching[tie.index]);
-            }
+            let size: f64 = ties.iter().map(|tie| tie.left * tie.left * self.reduced(&self.touching[tie.index])).sum();
             if ties.iter().all(|tie| tie.left.abs() <= 1e-15 * most) {
                 break;
             }
@@ -138,13 +135,9 @@ impl Events {
                 self.speeds[item] += given * (sign / self.items[item].body.mass);
             }
         }
-        self.stop_exactly(&contact, relative);
-    }
-
-    /// Where friction has stopped a slide over a surface, up to the rounding of the slide that `was` (m/s), nothing is left of it: that would slide on.
-    fn stop_exactly(&mut self, contact: &Contact, was: f64) {
-        let ((body, surface), slides) = (contact.ends(), self.sliding(contact));
-        if !self.is_body(surface) && slides.abs() <= SPEED_ROUNDING * was.abs() {
+        // Where friction has stopped a slide over a surface, up to the rounding of the slide before, nothing is left of it: that would slide on.
+        let ((body, surface), slides) = (contact.ends(), self.sliding(&contact));
+        if !self.is_body(surface) && slides.abs() <= SPEED_ROUNDING * relative.abs() {
             let side = if body == contact.lo { 1.0 } else { -1.0 };
             self.speeds[body as usize][1 - contact.axis] += side * slides;
         }

@@ -1,10 +1,8 @@
-//! Trains of bounces as events. One begins where bounces are short, or many are to come, and nothing else is within reach; it ends with its last
-//! bounce, with the tick, or where something comes near, and then lists what it has passed on.
+//! Trains of bounces as events. One ends with its last bounce, with the tick, or where something comes near, and then lists what it has passed on.
 
 use crate::physics::data::{Aabb, Contact, Cubic, DAMPED_REACH, MANY_HITS, NONE, SHORT_BOUNCE, SLOP, Sides, on_axis};
 use crate::physics::exact::train::{BounceSeries, Train, TrainKind, Wedge};
-use crate::physics::exact::{events::Events, events::Scene, motions::SHORTEST};
-use crate::physics::forces::zones;
+use crate::physics::{exact::events::Events, exact::events::Scene, exact::motions::SHORTEST, forces::zones};
 use glam::DVec2;
 
 impl Events {
@@ -189,12 +187,12 @@ impl Events {
         let edge = if side > 0.0 { &mut between.max } else { &mut between.min };
         edge[axis] -= side * 2.0 * half[axis];
         let trains = [train(0, way), train(1, between)];
-        if (0..2).all(|k| self.is_clear(scene, of[k], &trains[k])) {
+        let clear = (0..2).all(|k| self.is_clear(scene, of[k], &trains[k]));
+        if clear {
             self.concern_carried(scene, far);
             (0..2).for_each(|k| self.set_train(of[k], trains[k]));
-            return true;
         }
-        false
+        clear
     }
 
     fn concern_carried(&mut self, scene: &Scene, item: u32) {
@@ -203,8 +201,7 @@ impl Events {
         }
         self.concern(item);
         for slot in self.incident.slots(item as usize) {
-            let contact = self.contacts[self.incident.list[slot] as usize];
-            let touching = self.touch(scene, contact, false);
+            let touching = self.touch(scene, self.contacts[self.incident.list[slot] as usize], false);
             self.touching.push(touching);
         }
     }

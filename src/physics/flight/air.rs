@@ -10,8 +10,7 @@
 //! Places follow from velocities, accelerations and their rates j = (2s² − σ)·u − s·A at both ends by two-point Hermite quadrature of sixth order,
 //! x = ½h(u₀ + u₁) + h²/10·(a₀ − a₁) + h³/120·(j₀ + j₁). A body with h·s or h·√s(A) beyond [`LIGHT`] takes several steps.
 
-use crate::physics::data::{Pose, TERMINAL_TOLERANCE, parabola};
-use crate::physics::forces::air::Drag;
+use crate::physics::{data::Pose, data::TERMINAL_TOLERANCE, data::parabola, forces::air::Drag};
 use glam::DVec2;
 
 /// The largest h·s and h·√s(A) of one step. Larger: errors of position above 1e-9 m a metre; smaller: more bodies take several steps.
@@ -118,15 +117,12 @@ fn fly_in_steps(pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     if whole.fits { (take(pose, a, &whole), 1) } else { in_parts(pose, a, drag, t) }
 }
 
-/// Drag alone: u = u₀/(1 + s₀·t), x = u₀·ln(1 + s₀·t)/s₀.
-fn slowed((x, v): Pose, rate: f64, t: f64) -> Pose {
-    let way = if rate > 0.0 { libm::log1p(rate * t) / rate } else { t };
-    (x + v * way, v / (1.0 + rate * t))
-}
-
 fn in_parts(mut pose: Pose, a: DVec2, drag: &Drag, t: f64) -> (Pose, u32) {
     if a == DVec2::ZERO {
-        return (slowed(pose, drag.rate(pose.1), t), 1);
+        // Drag alone: u = u₀/(1 + s₀·t), x = u₀·ln(1 + s₀·t)/s₀.
+        let ((x, v), rate) = (pose, drag.rate(pose.1));
+        let way = if rate > 0.0 { libm::log1p(rate * t) / rate } else { t };
+        return ((x + v * way, v / (1.0 + rate * t)), 1);
     }
     let slowest = drag.rate(a).sqrt();
     let terminal = if slowest > 0.0 { a / slowest } else { DVec2::ZERO };

@@ -1,7 +1,6 @@
 //! The instants at which a law of linked bodies bends, or a link breaks.
 
-use crate::physics::data::Pose;
-use crate::physics::flight::linked::{Linked, LinkedBodies, Pull};
+use crate::physics::{data::Pose, flight::linked::Linked, flight::linked::LinkedBodies, flight::linked::Pull};
 
 /// m. How far beyond the border of its law a link may be where a step ends there. Larger: energy is lost as a rope becomes taut; smaller: more steps.
 const BENT: f64 = 1e-13;

@@ -9,8 +9,7 @@ use glam::DVec2;
 /// Rows of the extrapolation: 2, 4, 6 … midpoint steps.
 const ROWS: usize = 8;
 
-/// Error of a step allowed besides where media brake, as a part of the longest way in it. Larger: a tow is off by 1e-8 m after some seconds; smaller: the
-/// corner of drag, where a velocity changes its sign, takes many short steps.
+/// Error allowed where media brake, in parts of the longest way of a step. Larger: a tow is off by 1e-8 m in seconds; smaller: more steps at turns.
 const ROUGH: f64 = 2e-11;
 
 /// Place, velocity and the impulse of the links since the step's begin; or their rates.
@@ -127,10 +126,7 @@ pub(crate) struct Pull {
 
 impl Pull {
     pub(super) fn law_after(&self, offset: f64) -> LinkLaw {
-        match self.law.length() {
-            Some(length) if self.growth != 0.0 => self.law.of_length(length + self.growth * offset),
-            _ => self.law,
-        }
+        self.law.length().map_or(self.law, |length| self.law.of_length(length + self.growth * offset))
     }
 }
 
@@ -274,8 +270,7 @@ impl LinkedBodies<'_> {
             for member in &mut *self.members {
                 let rates = member.rates_in(self.media, self.bodies);
                 if step < count {
-                    let next = along(&member.before, &rates, 2.0 * part);
-                    member.before = std::mem::replace(&mut member.end, next);
+                    member.before = std::mem::replace(&mut member.end, along(&member.before, &rates, 2.0 * part));
                 } else {
                     let smooth = along(&member.before, &rates, part);
                     member.end = std::array::from_fn(|i| (smooth[i] + member.end[i]) * 0.5);

@@ -1,5 +1,4 @@
-//! The motion of one body near or in a liquid, without contacts. Wholly inside or outside and without Stokes' drag it flies as through a denser air;
-//! otherwise it takes steps by their own error. At its terminal velocity it stays on that; when its bobbing is down to rounding it is at rest.
+//! One body near or in a liquid, without contacts: as through denser air in one medium all around without Stokes' drag, else by steps; then at rest.
 
 use crate::physics::data::{BOBBING_REACH, Body, Cubic, HEAVY_REACH, Pose, TERMINAL_TOLERANCE};
 use crate::physics::flight::air::fly_through;
@@ -78,8 +77,7 @@ fn bobs_by(media: &Media, body: &Body, law: &Law, t: f64) -> Option<(Bob, Vertic
     if v.y == 0.0 || law.rough || !law.displaced.holds(x) {
         return None;
     }
-    let regime = law.around(media, body);
-    let (vertical, bath) = regime.vertical(law.constant, x, v)?;
+    let (vertical, bath) = law.around(media, body).vertical(law.constant, x, v)?;
     let drag = rate_of_drag(&bath, DVec2::new(law.constant.x, law.constant.y - bath.lift), v);
     let bobs = bath.stiffness.sqrt();
     let slow = 16.0 * bath.rounding(law.constant, body, x.y) / bobs;
@@ -93,14 +91,10 @@ impl<'a> Swimmer<'a> {
         Self { regime: law.regime(media, body, body.position), law }
     }
 
-    fn pose(&self) -> Pose {
-        (self.regime.body.position, self.regime.body.velocity)
-    }
-
     /// Its course for `t` seconds, or to the end of the last step (at least one) at which `goes_on` holds.
     fn swim(&mut self, t: f64, mut goes_on: impl FnMut(f64, Pose) -> bool) -> Course {
         let (media, body, law) = (self.regime.media, self.regime.body, self.law);
-        let mut pose = self.pose();
+        let mut pose = (body.position, body.velocity);
         let (mut left, mut h) = (t, if law.first > 0.0 { law.first } else { f64::INFINITY });
         let (mut pull, mut bobs) = (None, true);
         for _ in 0..self.most_steps(pose, t) {
@@ -202,8 +196,7 @@ impl<'a> Swimmer<'a> {
             let r = v.y + h * (constant.y - lift) + h * h * stiffness * down;
             let guess = 2.0 * r / (p + (p * p + 4.0 * q * r.abs()).sqrt());
             // Across kinks Newton's method may lead to and fro: after four trials every other one halves the bracket.
-            let inside = guess > low && guess < high && (trial < 4 || trial % 2 == 0);
-            let next = if inside { guess } else { 0.5 * (low + high) };
+            let next = if guess > low && guess < high && (trial < 4 || trial % 2 == 0) { guess } else { 0.5 * (low + high) };
             found = (next - down).abs() <= tolerance * down.abs();
             down = next;
             if found {

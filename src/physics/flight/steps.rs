@@ -1,6 +1,5 @@
-//! Steps through liquids by their own estimate of their error: the embedded Runge–Kutta pair of J. R. Dormand and P. J. Prince (1980), of fifth
-//! order; or, where stability would cut those short, implicit ones ([`crate::physics::flight::implicit`]). No step crosses a kink
-//! ([`crate::physics::forces::displaced`]), or a turn, where a component of the velocity changes its sign (|u|·u has a corner at 0) that matters.
+//! Steps through liquids by their own error: the embedded Runge–Kutta pair of J. R. Dormand and P. J. Prince (1980), of fifth order; or implicit
+//! ones ([`super::implicit`]). No step crosses a kink ([`crate::physics::forces::displaced`]) or a turn that matters: |u|·u has a corner at 0.
 
 use crate::physics::data::{Cubic, FLIGHT_TOLERANCE, Pose, Quintic, earliest};
 use crate::physics::forces::liquid::{Bath, Regime, Slopes, Vertical};

@@ -1,8 +1,7 @@
 //! Drag of air and liquids: −½·ρ·C_d·(w·|u_y| + h·|u_x|)·u on a box of w × h, 1 m deep (the area that it shows along u); on a round body
 //! −½·ρ·C_d·d·|u|·u with d its diameter (Batchelor, *An Introduction to Fluid Dynamics*, 5.11).
 
-use crate::physics::data::{Body, Part, called};
-use crate::physics::forces::media::Media;
+use crate::physics::{data::Body, data::Part, data::called, forces::media::Media};
 use glam::DVec2;
 
 /// Drag of a medium on a body, per mass: s(u) = tall·|u_x| + wide·|u_y| + round·|u|, each ½·ρ·C_d·side/m, 1/m.

@@ -1,6 +1,5 @@
-//! The parts of all liquids that a body displaces, in closed form. Between kinks, where a side of the body passes one of a liquid, width and height
-//! within a liquid are linear in x and y: buoyancy and drag are bilinear; the waves of each surface that cuts the body come besides. [`Displaced`]
-//! has these forms and the box of places in which they are the law; a little beyond it they go on smoothly, as integrators need.
+//! The parts of all liquids that a body displaces. Between kinks, where a side of it passes one of a liquid, buoyancy and drag are bilinear in x, y;
+//! waves of each surface that cuts it come besides. [`Displaced`] has these forms and the places in which they hold; beyond they go on smoothly.
 
 use crate::physics::data::{Aabb, Body, Cubic, FluidDef, WAVES, earliest};
 use crate::physics::forces::{media::Media, zones::ZoneList};
@@ -295,11 +294,10 @@ impl Displaced {
     /// The sum `of` all surfaces that cut the body.
     pub fn over_cuts<T: Default + AddAssign>(&self, media: &Media, body: &Body, of: impl Fn(&Cut) -> T) -> T {
         let mut sum = T::default();
-        if let Some(cut) = &self.cut {
-            sum += of(cut);
-            let more = self.more.iter().filter_map(|index| self.surface(media, body, &media.fluids[index as usize]));
-            more.for_each(|cut| sum += of(&cut));
-        }
+        let Some(cut) = &self.cut else { return sum };
+        sum += of(cut);
+        let more = self.more.iter().filter_map(|index| self.surface(media, body, &media.fluids[index as usize]));
+        more.for_each(|cut| sum += of(&cut));
         sum
     }
     fn surface(&self, media: &Media, body: &Body, fluid: &FluidDef) -> Option<Cut> {

@@ -95,8 +95,7 @@ impl Media {
 
     /// Rate at which the body's motion changes its acceleration within `t` seconds, 1/s: an explicit step has to resolve it.
     pub fn rate(&self, body: &Body, law: &Law, (x, v): Pose, t: f64) -> f64 {
-        let of =
-            |drag: &Drag, linear: f64, stiffness: f64| linear + drag.rate(v) + drag.rate(law.constant).sqrt() + stiffness.sqrt();
+        let of = |drag: &Drag, linear: f64, lift: f64| linear + drag.rate(v) + drag.rate(law.constant).sqrt() + lift.sqrt();
         if !law.is_near_liquid() {
             return of(&law.air, 0.0, 0.0);
         }
@@ -107,8 +106,7 @@ impl Media {
         }
         // As if the body were wholly inside all liquids nearby.
         let sum = |sum: (f64, f64), fluid: &FluidDef| (sum.0 + fluid.density, sum.1 + fluid.viscosity);
-        let near = law.displaced.liquids.iter().map(|index| &self.fluids[index as usize]);
-        let (density, viscosity) = near.fold((0.0, 0.0), sum);
+        let (density, viscosity) = law.displaced.liquids.iter().map(|index| &self.fluids[index as usize]).fold((0.0, 0.0), sum);
         let stiffness = density * self.gravity.abs() * 2.0 * body.half.x / body.mass;
         let linear = STOKES * viscosity * (body.half.x + body.half.y) / body.mass + 2.0 * WAVES * body.drag * stiffness.sqrt();
         of(&law.air.plus(&Drag::of(body, density)), linear, stiffness)

@@ -15,11 +15,6 @@ impl Spring {
         let along = apart.normalize_or_zero();
         apart * self.stiffness + along * (self.damping * along.dot(parting) - self.stiffness * self.length)
     }
-
-    /// ½k(ℓ − L)², J.
-    fn energy(&self, distance: f64) -> f64 {
-        0.5 * self.stiffness * (distance - self.length).powi(2)
-    }
 }
 
 impl LinkLaw {
@@ -40,9 +35,10 @@ impl LinkLaw {
 
     /// The energy that it holds at that distance (m) of its ends, J; of a magnet 0, whose work no figure counts.
     pub fn energy(&self, distance: f64) -> f64 {
+        let of = |spring: &Spring, distance: f64| 0.5 * spring.stiffness * (distance - spring.length).powi(2);
         match self {
-            Self::Spring(spring) => spring.energy(distance),
-            Self::Rope(rope) => rope.energy(distance.max(rope.length)),
+            Self::Spring(spring) => of(spring, distance),
+            Self::Rope(rope) => of(rope, distance.max(rope.length)),
             Self::Magnet(_) => 0.0,
         }
     }
@@ -98,8 +94,7 @@ impl Link {
         def.check(bodies)?;
         let mut law = def.law;
         if let LinkLaw::Magnet(magnet) = &mut law {
-            let sizes = def.ends().map(|end| bodies[end.index()].half.element_sum() * 0.5).sum();
-            magnet.nearest = magnet.nearest.max(sizes);
+            magnet.nearest = magnet.nearest.max(def.ends().map(|end| bodies[end.index()].half.element_sum() * 0.5).sum());
         }
         let mut link = Self { def, law, on: true, winds: true, begun: false, broken: false, fastest: 0.0 };
         if !def.hook {
@@ -146,10 +141,7 @@ impl Link {
 
     /// The growth of its length in a tick of `dt` seconds, m/s: no length ends below 0.
     pub(crate) fn growth(&self, dt: f64) -> f64 {
-        match self.law.length() {
-            Some(length) if self.winds && self.acts() => self.def.rate.max(-length / dt),
-            _ => 0.0,
-        }
+        self.law.length().filter(|_| self.winds && self.acts()).map_or(0.0, |length| self.def.rate.max(-length / dt))
     }
 
     /// As it was `time` seconds before the end of a tick of `dt` seconds.

@@ -2,9 +2,8 @@
 //! of three parts: the air's formula with ρ, times f; Stokes' 3π·η·d·u, times f, with d the mean of width and height; and, up and down, the waves of
 //! what the surface cuts (`docs/physics.md`, Liquids). A body without velocity whose forces balance to rounding has a resultant of exactly zero.
 
-use crate::physics::data::body::Body;
 use crate::physics::forces::displaced::{Bilinear, Cut, Displaced, Lanes, LinearLaw, Waves};
-use crate::physics::forces::{air::Drag, media::Media};
+use crate::physics::{data::body::Body, forces::air::Drag, forces::media::Media};
 use glam::{DMat2, DVec2};
 use std::borrow::Cow;
 

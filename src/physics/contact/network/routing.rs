@@ -1,5 +1,4 @@
-//! One pass of loads along the axis, in which a pile at rest and a pushed row settle; else a maximum flow along shortest paths, and a cut where it gets
-//! stuck (Ford and Fulkerson 1956, Edmonds and Karp 1972). One search serves all goals that are equally near, as in Dinic 1970.
+//! One pass of loads settles piles and pushed rows; else maximum flow and a cut (Ford and Fulkerson 1956; Edmonds and Karp 1972; Dinic 1970).
 
 use crate::physics::contact::network::{Block, Carries, GROUND, Network, NetworkEdge, Side, grounds::side_of};
 use crate::physics::data::NONE;
