@@ -96,16 +96,17 @@ impl Events {
             }
             let [pressed, rubbed] = contact.passed;
             let negligible = 1e-12 * contact.normal * scene.tick;
-            let mut surplus = pressed - contact.normal * scene.tick;
-            let mut rubs = rubbed - contact.friction * scene.tick;
-            if surplus <= negligible {
-                let lasted = pressed / contact.normal;
+            let surplus = pressed - contact.normal * scene.tick;
+            let (surplus, rubs) = if surplus > negligible {
+                (surplus, rubbed - contact.friction * scene.tick)
+            } else {
+                let lasted = (pressed / contact.normal).max(0.0);
                 let [least, most] = [contact.rubbed.min(contact.friction), contact.rubbed.max(contact.friction)];
-                rubs = rubbed - rubbed.clamp(least * lasted, most * lasted);
+                let rubs = rubbed - rubbed.clamp(least * lasted, most * lasted);
                 // Of one that began within the tick a part of its push goes with that: no row leaves the cone of friction.
-                surplus =
-                    if surplus < -negligible && rubs != 0.0 { (rubs.abs() / contact.kinetic_friction).min(pressed) } else { 0.0 };
-            }
+                let goes_with = surplus < -negligible && rubs != 0.0;
+                (if goes_with { (rubs.abs() / contact.kinetic_friction).min(pressed) } else { 0.0 }, rubs)
+            };
             if surplus > negligible || rubs.abs() > negligible {
                 self.locate(scene, contact.ends().1 as usize);
                 self.note(&contact, on_axis(contact.axis, surplus, rubs), None);

@@ -2,6 +2,7 @@
 //! friction stops a slide over tiles nothing is left of it.
 
 use super::*;
+use crate::support::{TICK, block};
 use resultant::physics::{Body, BodyId, Force, Obstacle, Source};
 
 const PULL: f64 = 15.0;
@@ -144,6 +145,29 @@ fn stops_with_a_tick(hz: f64, friction: f64, ticks: u32, masses: &[f64]) {
         assert!((0..masses.len()).all(|i| world.speed(i).x <= 0.0), "{scene}: {}", world.speed(0));
     }
     assert!(world.speed(0) == DVec2::ZERO, "{scene}: {}", world.speed(0));
+}
+
+/// Some of a row hit a ceiling as they slide along it, and one has pressed on it by less than nothing, by a rounding: what it rubbed is listed.
+#[test]
+fn a_row_that_slides_along_a_ceiling_is_listed() {
+    let row = [
+        ((-1.6025884795406407, -0.5), 7.163359812573355e-18, 1.8039726551356547, 0.2031066448938244, Material::ASPHALT),
+        ((-2.602588479540641, -0.12029198194794465), -2.1152382640633345, 1.1869570691603943, 0.203344317297006, Material::WOOD),
+        ((-3.6025884804142607, -0.4999940487782114), 0.0, 0.07054337345078661, 0.5103374263753958, Material::ASPHALT),
+        ((-4.602588480749765, -0.4999999995391942), 0.0, 0.08469903479126592, 0.20531588823942157, Material::RUBBER),
+        ((-5.60258848104909, -0.49109828475930756), -2.220558147725464, 9.543503015449184, 0.2127404961045022, Material::ASPHALT),
+    ];
+    let body = |((x, y), speed, mass, restitution, material)| {
+        let velocity = v(3.096012961054195, speed);
+        BodyDef { position: v(x, y), velocity, mass, restitution, material, ..BodyDef::default() }
+    };
+    let fields = vec![FieldDef { zone: area(-1e3, -1e3, 1e3, 1e3), strength: v(15.0, 0.0) }];
+    let def = WorldDef { gravity: 0.0, fields, ..without_air(vec![block(-60.0, -2.0, 0.0, -1.0)], row.map(body).to_vec()) };
+    let mut world = World::new(def).unwrap();
+    for _ in 0..3 {
+        world.step(TICK);
+    }
+    assert!((0..5).all(|i| world.at(i).y >= -0.5 - 1e-9 && world.speed(i).x > 0.0));
 }
 
 /// Crates that slide over each other, hit each other and a wall on either side: what has changed the momentum of one on which the same forces act

@@ -48,7 +48,7 @@ impl FrictionContact {
 
     /// Sets its load, N·s, of which it returns a part: its limits so far are coefficients.
     fn press(&mut self, impulse: f64, restitution: f64) {
-        let rubs = impulse * (1.0 + restitution);
+        let rubs = impulse.max(0.0) * (1.0 + restitution);
         (self.load, self.static_limit, self.holds, self.kinetic_limit) =
             (impulse, self.static_limit * rubs, self.holds * rubs, self.kinetic_limit * rubs);
     }
