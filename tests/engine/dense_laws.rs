@@ -231,3 +231,15 @@ fn seams_are_not_felt() {
         }
     }
 }
+
+/// In a shaft as wide as itself, beside one that rests: the two are in each other by less than they would have to touch.
+#[test]
+fn a_body_falls_past_another_that_it_grazes() {
+    for graze in [1e-10, 5e-10, 9e-10] {
+        let bodies = vec![square(0.5, -3.0), square(1.5 - graze, -0.5)];
+        let surfaces = vec![block(-1.0, 0.0, 5.0, 1.0), block(-1.0, -20.0, 0.0, 0.0), block(2.0 - graze, -20.0, 5.0, 0.0)];
+        let mut pile = pile(bodies, surfaces, 10.0);
+        run(&mut pile, 2.0);
+        assert!((pile.at(0).y + 0.5).abs() < 1e-9, "{graze}: {}", pile.at(0));
+    }
+}

@@ -204,10 +204,10 @@ impl Dense {
         if !self.contacts.passing {
             return false;
         }
-        let hair = self.contacts.tolerances.hair;
+        let tolerances = self.contacts.tolerances;
         let mut caught = 0;
         for contact in self.contacts.all_mut().filter(|contact| !contact.live) {
-            if place::hits(bodies, (contact.first as usize, contact.second as usize), hair) {
+            if place::hits(bodies, (contact.first as usize, contact.second as usize), tolerances) {
                 contact.live = true;
                 caught += 1;
             }

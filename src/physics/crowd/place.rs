@@ -4,7 +4,7 @@
 //! contact's axis where nothing else helps: no motion is always allowed.
 
 use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
-use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, contacts::Contacts, contacts::CrowdContact};
+use crate::physics::crowd::{ACROSS, ALONG, bodies::Bodies, contacts::Contacts, contacts::CrowdContact, contacts::Tolerances};
 use crate::physics::data::lists::NONE;
 use glam::DVec2;
 
@@ -136,19 +136,19 @@ pub(crate) fn take_back(bodies: &mut Bodies, contacts: &Contacts, back: &mut [[b
         clean = true;
         let along = contacts.stacks.iter().chain(&contacts.ceilings).map(|contact| (contact, ALONG));
         for (contact, axis) in along.chain(contacts.sides.iter().map(|contact| (contact, ACROSS))) {
-            clean &= !resolve(bodies, back, contact, (axis, contacts.tolerances.hair));
+            clean &= !resolve(bodies, back, contact, (axis, contacts.tolerances));
         }
     }
     back.iter().flatten().filter(|b| **b).count() as u64
 }
 
-fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &CrowdContact, (axis, hair): (usize, f64)) -> bool {
+fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &CrowdContact, (axis, tolerances): (usize, Tolerances)) -> bool {
     let (a, b) = (contact.first as usize, contact.second as usize);
-    if !hits(bodies, (a, b), hair) && !passed(bodies, (a, b)) {
+    if !hits(bodies, (a, b), tolerances) && !passed(bodies, (a, b)) {
         return false;
     }
     // A pair that may pass a corner keeps an axis along which it was not quite apart: then both axes go back.
-    let started_apart = (bodies[a].from - bodies[b].from).abs()[axis] >= (bodies[a].half + bodies[b].half)[axis] - hair;
+    let started_apart = (bodies[a].from - bodies[b].from).abs()[axis] >= (bodies[a].half + bodies[b].half)[axis] - tolerances.hair;
     let mut go_back = |axes: &[usize]| {
         let coordinates = [a, b].into_iter().flat_map(|i| axes.iter().map(move |axis| (i, *axis)));
         coordinates.fold(false, |moved, (i, axis)| put_back(bodies, back, i, axis) || moved)
@@ -156,10 +156,13 @@ fn resolve(bodies: &mut Bodies, back: &mut [[bool; 2]], contact: &CrowdContact, 
     (started_apart && go_back(&[axis])) || go_back(&[ACROSS, ALONG])
 }
 
-/// Whether two boxes on straight ways enter each other by more than `hair`.
-pub(crate) fn hits(bodies: &Bodies, (a, b): (usize, usize), hair: f64) -> bool {
+/// Whether two boxes on straight ways enter each other by more than a hair, or than they do already where they touch.
+pub(crate) fn hits(bodies: &Bodies, (a, b): (usize, usize), Tolerances { touch, hair }: Tolerances) -> bool {
     let (a, b) = (&bodies[a], &bodies[b]);
-    let [across, along] = [ACROSS, ALONG].map(|k| [a.from[k] - b.from[k], a.to[k] - b.to[k], a.half[k] + b.half[k] - hair]);
+    let [across, along] = [ACROSS, ALONG].map(|k| {
+        let (from, to, reach) = (a.from[k] - b.from[k], a.to[k] - b.to[k], a.half[k] + b.half[k]);
+        [from, to, if from.abs() >= reach - touch { from.abs().min(reach - hair) } else { reach - hair }]
+    });
     let beside = |[from, to, reach]: [f64; 3]| from.min(to) >= reach || from.max(to) <= -reach;
     if beside(across) || beside(along) {
         return false;
