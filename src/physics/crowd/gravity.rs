@@ -169,8 +169,13 @@ fn merge(bodies: &mut Bodies, contacts: &Contacts, anchors: &mut Anchors, cluste
 /// Loads along gravity: which supports bear a body, and the share of its load on each.
 impl Contacts {
     pub fn closes(bodies: &Bodies, contact: &CrowdContact, slack: f64) -> bool {
+        contact.live && Self::gap(bodies, contact) <= slack
+    }
+
+    /// How far from touch its ends are on average over the step, m/s.
+    fn gap(bodies: &Bodies, contact: &CrowdContact) -> f64 {
         let (first, second) = (contact.first as usize, contact.second as usize);
-        contact.live && (bodies[first].mean.y - bodies[second].mean.y - contact.bound).abs() <= slack
+        (bodies[first].mean.y - bodies[second].mean.y - contact.bound).abs()
     }
 
     /// Adds up loads top-down, N·s: each body but hanging ones hands its own on, in equal shares, to the held supports that it presses, and to `give`.
@@ -181,8 +186,10 @@ impl Contacts {
             if load <= 0.0 || (anchors.any_hung && anchors.hung[i].is_some()) {
                 continue;
             }
-            let bears = |stack: &&CrowdContact| anchors.held[stack.second as usize] && Self::closes(bodies, stack, slack);
-            let under = || self.stacks[self.under(i)].iter().filter(bears);
+            let held = || self.stacks[self.under(i)].iter().filter(|stack| stack.live && anchors.held[stack.second as usize]);
+            // Where none is that close, the closest has stopped it.
+            let slack = held().map(|stack| Self::gap(bodies, stack)).fold(f64::INFINITY, f64::min).max(slack);
+            let under = || held().filter(|stack| Self::gap(bodies, stack) <= slack);
             let share = load / under().count() as f64;
             for stack in under() {
                 if let Some(below) = loads.get_mut(stack.second as usize) {
