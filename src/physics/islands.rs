@@ -27,7 +27,7 @@ const MANY_AT_REST: usize = 9;
 /// Worlds of more bodies list no contact forces before their first tick.
 pub(crate) const MOST_AT_FIRST: usize = 1024;
 /// How often an island may grow before the crowd step takes it, which can keep bodies within what was looked for.
-const MOST_GROWTHS: usize = 3;
+const MOST_GROWTHS: u8 = 3;
 /// How often a crowd may grow in one tick. Fewer: bodies are kept within what was looked for.
 const MOST_CROWD_GROWTHS: usize = 4;
 
@@ -94,8 +94,8 @@ impl Tick<'_> {
             || (!self.scene.media.fluids.is_empty() && self.scratch.touches.get(body).is_some_and(|touches| *touches))
     }
 
-    /// Takes an island, or leaves it. `round` is how often it has grown in this step.
-    fn advance(&mut self, of: &mut Members<'_>, round: usize) -> Verdict {
+    /// Takes an island, or leaves it. In this step it has grown `round` times, after `spent` events.
+    fn advance(&mut self, of: &mut Members<'_>, (round, spent): (u8, u32)) -> Verdict {
         let island = of.island;
         let count = island.members.len();
         if island.is_alone() && of.motions.bodies[island.members[0] as usize].roughly {
@@ -121,6 +121,7 @@ impl Tick<'_> {
             return Verdict::Left;
         }
         self.scratch.gather(self.state, &self.scene, |body| of.motions.swept[body as usize]);
+        self.scratch.events.spent = u64::from(spent);
         called(Part::Exact);
         let outcome = self.scratch.events.advance(&self.scene);
         self.guards.add(&std::mem::take(&mut self.scratch.events.guards));
@@ -129,7 +130,7 @@ impl Tick<'_> {
                 self.guards.islands_grown += 1;
                 let fastest = self.scratch.events.fastest() * (2.0 * self.scene.tick);
                 for &body in &self.scratch.members {
-                    let way = of.motions.swept[body as usize].size() * round as f64;
+                    let way = of.motions.swept[body as usize].size() * f64::from(round);
                     of.widen(body, fastest + way);
                 }
                 Verdict::Grown
@@ -251,13 +252,14 @@ impl Space {
             return sleep.wake(first);
         }
         // It depends on no other island how often this one has grown, or those of which it is made now.
-        let mut round = 0;
+        let (mut round, mut spent) = (0, 0);
         for i in island.members {
             let motion = &mut motions.bodies[*i as usize];
             motion.solved += 1;
-            round = round.max(motion.growths);
+            (round, spent) = (round.max(motion.growths), spent.max(motion.spent));
         }
-        let grows = match tick.advance(&mut Members { motions, island, grown }, round as usize) {
+        tick.scratch.events.count = 0;
+        let grows = match tick.advance(&mut Members { motions, island, grown }, (round, spent)) {
             Verdict::Taken { rests } => {
                 sleep.note(island, rests);
                 false
@@ -267,9 +269,10 @@ impl Space {
         };
         if grows {
             // All of them are solved again, also where a surface that stands now joins them no longer.
+            let spent = spent + tick.scratch.events.count as u32;
             for i in self.islands.get(k).members {
                 let motion = &mut self.motions.bodies[*i as usize];
-                (motion.growths, motion.again) = (round + 1, true);
+                (motion.growths, motion.spent, motion.again) = (round + 1, spent, true);
             }
         }
     }

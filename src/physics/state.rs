@@ -122,7 +122,7 @@ guards! {
     budgets_used_up,
     /// Searches for neighbours that were repeated, because a body went further than the search had reached.
     islands_grown,
-    /// Bounces that ended before their speed did: the sequence of impacts at one instant, or the hits of one body in one tick, became too long.
+    /// Bounces that ended before their speed did: too many hits fell into a tenth of a millisecond.
     bounces_ended,
     /// Bodies that parted by a rounding from their support so often in a tick that they were let go.
     clinging_given_up,

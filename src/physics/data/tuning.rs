@@ -53,8 +53,12 @@ pub(crate) const BOBBING_REACH: f64 = 0.7;
 /// Damping ratio afloat at the waterline, per unit of C_d. Smaller: 300 kg on water bob for over a minute; larger: a splash calms within one bob.
 pub(crate) const WAVES: f64 = 0.15;
 
-/// Hits in a tick of both ends after which a contact bounces no more. Larger: rattles use up the budget; smaller: fast bodies in a gap lose speed.
-pub(crate) const MOST_BOUNCES: u32 = 128;
+/// Hits of both ends within [`COLLAPSE`] after which a contact bounces no more. More: a collapse of several uses up the budget; fewer: its end comes
+/// early, so that friction in it is off.
+pub(crate) const MOST_BOUNCES: u32 = 64;
+
+/// s. Longer: fast bodies in a gap lose speed; shorter: what rattles uses up the budget.
+pub(crate) const COLLAPSE: f64 = 1e-4;
 
 /// s. Bounces that take no longer go on as one train. Longer: other things end more trains; shorter: more events, which use up the island's budget.
 pub(crate) const SHORT_BOUNCE: f64 = 1.0 / 256.0;
@@ -75,7 +79,7 @@ pub(crate) const EDGE_THICKNESS: f64 = 100.0;
 /// is off by more than a tenth; smaller: a light body that bounces in front of something heavy does so a hundred times before a train begins.
 pub(crate) const DAMPED_REACH: f64 = 0.1;
 
-/// Events of an island in a tick for each of its bodies and 108 more. Larger: the worst tick lasts longer; smaller: more ticks take the crowd step.
+/// Events of an island in a tick, however often it grows, for each of its bodies and 108 more. Larger: the worst tick lasts longer; smaller: more ticks take the crowd step.
 pub(crate) const EVENTS_OF_A_BODY: u64 = 20;
 
 /// m. How far a cubic may be beside the flow that it follows, and how deep bodies meet. Larger: beside their ways; smaller: ways of more parts.

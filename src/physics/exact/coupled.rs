@@ -49,7 +49,7 @@ impl Events {
         let (mut stride, mut sliver) = (least_of(0), f64::INFINITY);
         let mut h = longest.min(stride).min(least_of(1));
         let method = if !linked && self.error_of_third_order(scene, h) <= tolerance { &THIRD_ORDER } else { &FIFTH_ORDER };
-        while self.count + self.reactions.solved <= budget {
+        while self.spent + self.count + self.reactions.solved <= budget {
             let solved = self.reactions.solved;
             let error = self.step_coupled(scene, method, h, afloat);
             // A part of a stiff tick takes some twenty steps: each counts as one event for eight bodies.

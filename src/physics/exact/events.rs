@@ -69,9 +69,10 @@ pub(crate) struct Events {
     /// Bodies squeezed by surfaces, and how fast these would have closed by the end of the tick, m/s.
     pub squeezed: Vec<(u32, u32, f64)>,
     pub guards: Guards,
-    /// Events of all islands so far, and of this one in this tick.
+    /// Events of all islands so far; of this one in this tick, and of it before it grew.
     pub total: u64,
-    pub(super) count: u64,
+    pub count: u64,
+    pub spent: u64,
     pub(super) now: f64,
     pub(super) grown: bool,
     pub(super) bounces: bool,
@@ -148,7 +149,7 @@ impl Events {
         self.ends.clear();
         self.hits.clear();
         self.squeezed.clear();
-        self.movable = 0;
+        (self.movable, self.spent) = (0, 0);
     }
 
     pub(super) fn clear_buffers(&mut self) {

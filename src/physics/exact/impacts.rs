@@ -1,6 +1,6 @@
 //! Impacts in rounds, the fastest first (`docs/physics.md`, Impacts and their order). In a round no body is struck twice, but by hits that tie.
 
-use crate::physics::data::tuning::{MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
+use crate::physics::data::tuning::{COLLAPSE, MAX_CLINGS, MICRO_SPEED, MOST_BOUNCES};
 use crate::physics::data::{Aabb, BodyId, Contact, EQUAL_SPEED, Hit, Impulse, Obstacle, Part, SLOP, called, on_axis};
 use crate::physics::exact::events::{Events, Scene, Tie};
 use crate::physics::{contact::axis::Parts, exact::item::Item};
@@ -145,12 +145,9 @@ impl Events {
                 continue;
             }
             let e = if self.bounces && speed > 0.0 { self.restitution(scene, contact, speed) } else { 0.0 };
-            // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
-            if e > 0.0 && !self.is_shut(contact, speed) {
-                continue;
-            }
             let rank = (e > 0.0, !self.is_struck(contact), speed);
-            if best.is_none_or(|(first, _)| rank > first) {
+            // A bounce needs a closed gap, or it would lose energy; what only comes to rest may do so within the slop.
+            if best.is_none_or(|(first, _)| rank > first) && (e == 0.0 || self.is_shut(contact, speed)) {
                 best = Some((rank, (index, speed, e)));
             }
         }
@@ -166,14 +163,21 @@ impl Events {
         // What neither loses anything nor is squeezed ends of itself.
         let stands = |surface: &Item| surface.is_still() && surface.stops_at.is_infinite();
         let ends = || e < 1.0 || speed <= MICRO_SPEED || !self.items[self.movable..].iter().all(stands);
-        if slow || lo.hits.min(hi.hits) > MOST_BOUNCES && ends() { 0.0 } else { e.min(1.0) }
+        let rattles = || [lo, hi].iter().all(|item| item.hits.0 > MOST_BOUNCES && self.now <= item.hits.1 + COLLAPSE);
+        if slow || rattles() && ends() { 0.0 } else { e.min(1.0) }
     }
 
     pub(crate) fn count_hit(&mut self, contact: &Contact) {
         let ends = [contact.lo, contact.hi].map(|item| item as usize);
-        ends.iter().for_each(|item| self.items[*item].hits += 1);
-        ends.iter().for_each(|item| self.struck[*item][contact.axis] = true);
-        let fewest = ends.map(|item| self.items[item].hits).into_iter().min();
+        for item in ends {
+            let (hits, since) = &mut self.items[item].hits;
+            if self.now > *since + COLLAPSE {
+                (*hits, *since) = (0, self.now);
+            }
+            *hits += 1;
+            self.struck[item][contact.axis] = true;
+        }
+        let fewest = ends.map(|item| self.items[item].hits.0).into_iter().min();
         self.guards.bounces_ended += u64::from(fewest == Some(MOST_BOUNCES + 1));
     }
 

@@ -100,7 +100,8 @@ pub(crate) struct Item {
     pub end: Option<(f64, f64, Pose)>,
     pub searched: Aabb,
     pub train: Option<Train>,
-    pub hits: u32,
+    /// How often it was hit since a time, s from the tick's start.
+    pub hits: (u32, f64),
     /// How often in this tick it was taken to stay where it parted by a rounding.
     pub clung: u32,
     /// Borders of streams that it crossed back in this tick, soon after another event, and its velocity at the last border, m/s.

@@ -70,7 +70,7 @@ impl Events {
 
     pub(crate) fn is_busy(&mut self) -> bool {
         self.count += std::mem::take(&mut self.reactions.solved);
-        self.count > self.budget()
+        self.spent + self.count > self.budget()
     }
 
     pub(crate) fn budget(&self) -> u64 {

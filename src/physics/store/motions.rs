@@ -45,8 +45,9 @@ pub(crate) struct BodyMotion {
     pub method: Method,
     /// A body that names its island, unless it flies or rests by itself: the smallest, in a crowd the lowest.
     pub leader: u32,
-    /// How often its island grew in this step, and whether that island is solved again.
+    /// How often its island grew in this step, after how many events, and whether that island is solved again.
     pub growths: u8,
+    pub spent: u32,
     pub again: bool,
     /// Whether no constant force describes its flight, and whether `acceleration` is that at its end.
     pub guided: bool,
@@ -156,7 +157,8 @@ impl Motions {
             };
             motion.end = motion.free;
             swept[i] = way(body.position, motion.free.0, body.half);
-            (motion.method, motion.known, motion.growths, motion.again) = (Method::Flight, true, 0, false);
+            (motion.method, motion.known) = (Method::Flight, true);
+            (motion.growths, motion.spent, motion.again) = (0, 0, false);
             (motion.guided, motion.pulled, motion.floats, motion.roughly) = (false, false, false, false);
         }
         for (i, guide) in self.guided.drain(..) {
