@@ -24,9 +24,10 @@ impl<'a> Scene<'a> {
 
     pub fn set_on_path(&self, item: &mut Item, at: f64) {
         let surface = &self.surfaces[item.id as usize];
-        let point = if at < item.stops_at { surface.at(at) } else { surface.at(item.stops_at).at_rest() };
+        let (point, stops) =
+            if at < item.stops_at { (surface.at(at), item.stops_at) } else { (surface.at(item.stops_at).at_rest(), f64::INFINITY) };
         item.since = at;
-        item.until = (at + point.lasts).min(if at < item.stops_at { item.stops_at } else { f64::INFINITY }).min(self.tick);
+        item.until = (at + point.lasts).min(stops).min(self.tick);
         (item.body.position, item.body.velocity) = (point.offset, point.velocity);
         (item.solved, item.mean) = (point.acceleration, point.acceleration);
         let still = point.velocity == DVec2::ZERO && point.acceleration == DVec2::ZERO;

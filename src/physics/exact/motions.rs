@@ -113,10 +113,13 @@ impl Events {
         for i in 0..self.items.len() {
             let item = &self.items[i];
             let stopped = i >= self.movable && item.stops_at <= self.now && item.since == self.now;
-            match self.is_concerned[i] || stopped {
-                true if still => self.nexts[i] = self.own_next(scene, i),
-                true => self.predict(scene, i),
-                false => {}
+            if !(self.is_concerned[i] || stopped) {
+                continue;
+            }
+            if still {
+                self.nexts[i] = self.own_next(scene, i);
+            } else {
+                self.predict(scene, i);
             }
         }
     }

@@ -59,12 +59,8 @@ impl Events {
                 let half = 0.5 * most.min(bounce.whole());
                 let ([[_, way], [_, slid]], carried) = (bounce.at(half, false), begun[0].0 * others + begun[1].0 * mine);
                 pulls = [0, 1].map(|k| forces(k, half, carried, way, slid).0);
-                let change = (pulls[0] - pulls[1]) - (begun[0].0 - begun[1].0);
-                // Of what carries both, drag may be fast where it is not for their bounces.
-                let drift = (pulls[0] * others + pulls[1] * mine - carried) * (2.0 * half);
-                steady = change.length() <= DAMPED_REACH * (pulls[0] - pulls[1]).length()
-                    && drift.length() <= DAMPED_REACH * (speed + together.length());
                 bounce = bounces(pulls[0] - pulls[1]);
+                steady = (0..2).all(|k| (pulls[k] - begun[k].0).length() <= DAMPED_REACH * (pulls[0] - pulls[1]).length());
             }
             let (_, stops, holds) = bounce.brakes();
             if stops.is_finite() && !holds {
