@@ -52,8 +52,8 @@ impl Events {
         while self.spent + self.count + self.reactions.solved <= budget {
             let solved = self.reactions.solved;
             let error = self.step_coupled(scene, method, h, afloat);
-            // A part of a stiff tick takes some twenty steps: each counts as one event for eight bodies.
-            (self.reactions.solved, self.count) = (solved, self.count + 1 + self.concerned.len() as u64 / 8);
+            // A part of a stiff tick takes some twenty steps: each counts as one event for two bodies.
+            (self.reactions.solved, self.count) = (solved, self.count + 1 + self.concerned.len() as u64 / 2);
             let kink = self.first_kink(scene, h);
             if kink < h && h > least {
                 h = kink.max(least);
@@ -62,7 +62,7 @@ impl Events {
             let changes = self.changed;
             if changes && h > least {
                 // In a heap that falls apart the search takes longer than all else.
-                self.count += u64::from(TRIALS) * (self.concerned.len() as u64 / 8);
+                self.count += u64::from(TRIALS) * (self.concerned.len() as u64 / 2);
                 let (mut holds, mut over) = (0.0, h);
                 for _ in 0..TRIALS {
                     let middle = 0.5 * (holds + over);
