@@ -9,7 +9,7 @@ const GOLDEN: [(&str, u64); 6] = [
     ("crowd", 0x90ce71a58cb93046),
     ("liquid", 0x3d34db8db9d41906),
     ("stream", 0x9b528f4b7eb4e525),
-    ("moving surfaces", 0xdf1bcce48e0ad1c6),
+    ("moving surfaces", 0x3df82c3a9257b7a3),
     ("moving surfaces, dense", 0xe6cc0735195b6400),
 ];
 
