@@ -4,8 +4,8 @@
 //! in turns (`docs/physics.md`, The crowd step, 3); contacts left after [`ROUNDS`], and islands in which all that drives, merge without friction.
 
 use crate::physics::crowd::clusters::{ClusterMotion, Clusters, Node, Pool};
-use crate::physics::crowd::{ACROSS, ROUNDING, bodies::Bodies, contacts::Contacts, contacts::CrowdContact};
-use crate::physics::crowd::{Edge, gravity::Anchors, gravity::SLACK, report::Report};
+use crate::physics::crowd::{ACROSS, ROUNDING, bodies::Bodies, bodies::Member, contacts::Contacts, contacts::CrowdContact};
+use crate::physics::crowd::{gravity::Anchors, gravity::SLACK, report::Report};
 use crate::physics::{crowd::friction::Friction, crowd::friction::Grip, flight::air::fly_through, state::Guards};
 use glam::DVec2;
 
@@ -14,8 +14,8 @@ const ROUNDS: usize = 3;
 /// A pushed body that is faster by this part than it was and than its cluster: friction that did not come has driven it, and the pushes are
 /// dropped. Smaller: rounding drops pushes; larger: friction drives bodies.
 const DRIVEN: f64 = 1e-9;
-/// Fewer: a light body that heavy ones drag against a third keeps a part of its speed.
-const SWEEPS: usize = 32;
+/// Rounds in which bodies side by side that close are merged. Fewer: friction drags more of them along.
+const PARTINGS: usize = 8;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pushes {
@@ -28,8 +28,8 @@ pub(crate) struct Pushes {
     pub reached: Vec<u32>,
     pub hits: Vec<(u32, u32)>,
     pub resistance: Resistance,
-    /// Pairs side by side, and the impulses that parted them in the end.
-    pub parting: Vec<Edge>,
+    /// Pairs that touch side by side when the step ends.
+    parting: Vec<CrowdContact>,
 }
 
 impl Pushes {
@@ -76,6 +76,7 @@ impl Cross<'_> {
         if self.merge(bodies, false) {
             self.pass_impulses(bodies, false);
         }
+        self.part_closing(bodies);
     }
 
     fn begin(&mut self, bodies: &mut Bodies) -> bool {
@@ -229,50 +230,54 @@ impl Cross<'_> {
         }
     }
 
-    /// Parts pairs side by side that still close, in turns with the friction under them. Returns whether nothing closes any more.
-    pub(crate) fn part_closing(&mut self, bodies: &mut Bodies) -> bool {
-        let (n, slack) = (bodies.len(), self.contacts.tolerances.hair / self.dt);
-        let Pushes { parting, .. } = &mut *self.pushes;
-        let touches = |bodies: &Bodies, side: &CrowdContact| {
-            let (a, b) = (side.first as usize, side.second as usize);
-            // What arrives just as the step ends bounces in the next.
-            let arrives = |side| bodies.bounces && self.anchors.bounces.of(bodies, side, ACROSS).is_some();
-            side.live && bodies[a].mean.x - bodies[b].mean.x - side.bound >= -slack && !arrives(side)
+    /// Merges pairs side by side that still close when the step ends, in turns with the friction under them. Returns whether nothing closes any more.
+    fn part_closing(&mut self, bodies: &mut Bodies) -> bool {
+        let Self { contacts, friction, clusters, pushes, anchors, report, dt, .. } = self;
+        let (n, slack, Pushes { parting, .. }) = (bodies.len(), contacts.tolerances.hair / *dt, &mut **pushes);
+        // What arrives just as the step ends bounces in the next.
+        let arrives =
+            |side: &CrowdContact| bodies.bounces && side.bound > slack && anchors.bounces.of(bodies, side, ACROSS).is_some();
+        let touches = |side: &&CrowdContact| {
+            side.live
+                && bodies[side.first as usize].mean.x - bodies[side.second as usize].mean.x - side.bound >= -slack
+                && !arrives(side)
         };
-        let closes = |bodies: &Bodies, side: &CrowdContact| {
+        let closes = |side: &CrowdContact| {
             let (u, v) = (bodies[side.first as usize].end.x, bodies[side.second as usize].end.x);
             u - v > ROUNDING * (u.abs() + v.abs()) + SLACK
         };
-        if !self.contacts.sides.iter().any(|side| closes(bodies, side) && touches(bodies, side)) {
+        if !contacts.sides.iter().any(|side| closes(side) && touches(&side)) {
             return true;
         }
-        let mut settled = false;
         parting.clear();
-        let sides = self.contacts.sides.iter().filter(|side| touches(bodies, side));
-        parting.extend(sides.map(|side| Edge { a: side.first, b: side.second, ..Edge::default() }));
-        for _ in 0..SWEEPS {
-            let (mut most, mut fastest) = (0.0f64, 0.0f64);
-            for edge in parting.iter_mut() {
-                let (a, b) = (edge.a as usize, edge.b as usize);
-                let share = |i: usize| if i < n { 1.0 / bodies[i].mass } else { 0.0 };
-                let (of_a, of_b) = (share(a), share(b));
-                let more = (edge.impulse + (bodies[a].end.x - bodies[b].end.x) / (of_a + of_b)).max(0.0) - edge.impulse;
-                edge.impulse += more;
-                bodies[a].end.x -= more * of_a;
-                bodies[b].end.x += more * of_b;
-                most = most.max(more.abs() * of_a.max(of_b));
-                fastest = fastest.max(bodies[a].end.x.abs()).max(bodies[b].end.x.abs());
+        parting.extend(contacts.sides.iter().filter(touches).map(|side| CrowdContact { bound: 0.0, ..*side }));
+        for round in 1..=PARTINGS {
+            let pool = Pool { before: |i| bodies[i].end.x, slack: SLACK, places: false };
+            let (any, _) = clusters.pool(pool, [&parting[..], &[]], |clusters, side| {
+                for i in [side.first as usize, side.second as usize] {
+                    let Member { mass, before, end, .. } = bodies[i];
+                    let fixed = (i >= n).then_some(ClusterMotion { velocity: end.x, mean: end.x });
+                    clusters.join(i, fixed, Node::free(mass, before.x, end.x, end.x));
+                }
+                true
+            });
+            let mut fastest = 0.0f64;
+            for i in clusters.joined.iter().map(|i| *i as usize) {
+                let velocity = clusters.velocity(i);
+                report.along[i] = 0.0;
+                if i < n {
+                    report.along[i] = bodies[i].mass * (bodies[i].end.x - velocity);
+                    bodies[i].end.x = velocity;
+                    fastest = fastest.max(velocity.abs());
+                }
             }
-            most = most.max(self.friction.sweep(bodies));
-            settled = most <= ROUNDING * fastest + SLACK;
-            if settled {
-                break;
+            report.drain_sides(clusters, n);
+            // Nothing closes when the last round ends.
+            if !any || (round < PARTINGS && friction.sweep(bodies) <= ROUNDING * fastest + SLACK) {
+                return true;
             }
         }
-        if self.report.on {
-            self.report.sides.extend(parting.iter().filter(|edge| edge.impulse > 0.0));
-        }
-        settled
+        false
     }
 }
 

@@ -82,7 +82,6 @@ impl Dense {
         self.anchors.bounces = Bounces { dt: size.dt, rest_speed: size.rest_speed };
         self.anchors.impact = (IMPACT * size.gravity * size.dt).max(SMALLEST);
         self.report.sides.clear();
-        self.pushes.parting.clear();
         self.contacts.missed.clear();
         self.contacts.find(bodies, group, size.dt);
         let mut inside = true;
@@ -129,7 +128,7 @@ impl Dense {
 
     /// Whom the step has pushed across gravity, or moved apart: each end of those pairs.
     pub fn pushed(&self) -> impl Iterator<Item = u32> {
-        let pressed = self.report.sides.iter().chain(&self.pushes.parting).filter(|edge| edge.impulse > 0.0);
+        let pressed = self.report.sides.iter().filter(|edge| edge.impulse > 0.0);
         let ends = pressed.chain(&self.clusters.edges).flat_map(|edge| [edge.a, edge.b]);
         ends.chain(self.pushes.reached.iter().copied())
     }

@@ -178,7 +178,8 @@ impl Contacts {
         (bodies[first].mean.y - bodies[second].mean.y - contact.bound).abs()
     }
 
-    /// Adds up loads top-down, N·s: each body but hanging ones hands its own on, in equal shares, to the held supports that it presses, and to `give`.
+    /// Adds up loads top-down, N·s: each body that does not hang hands its own on, in equal shares, to the held supports that it presses, and to
+    /// `give`.
     pub fn hand_down(&self, bodies: &Bodies, anchors: &Anchors, loads: &mut [f64], mut give: impl FnMut(u32, u32, f64)) {
         let slack = self.tolerances.hair / anchors.bounces.dt;
         for i in (0..bodies.len()).rev() {

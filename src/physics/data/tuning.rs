@@ -79,7 +79,8 @@ pub(crate) const EDGE_THICKNESS: f64 = 100.0;
 /// is off by more than a tenth; smaller: a light body that bounces in front of something heavy does so a hundred times before a train begins.
 pub(crate) const DAMPED_REACH: f64 = 0.1;
 
-/// Events of an island in a tick, however often it grows, for each of its bodies and 108 more. Larger: the worst tick lasts longer; smaller: more ticks take the crowd step.
+/// Events of an island in a tick, however often it grows, for each of its bodies and 108 more. Larger: the worst tick lasts longer; smaller: more
+/// ticks take the crowd step.
 pub(crate) const EVENTS_OF_A_BODY: u64 = 20;
 
 /// m. How far a cubic may be beside the flow that it follows, and how deep bodies meet. Larger: beside their ways; smaller: ways of more parts.

@@ -212,7 +212,8 @@ impl Events {
         self.begin_train(scene, &contact, e * speed, e);
     }
 
-    /// The velocity of `hi` relative to `lo` along the other axis, m/s, where two corners have met that close along both axes alike: both faces are hit.
+    /// The velocity of `hi` relative to `lo` along the other axis, m/s, where two corners have met that close along both axes alike: both faces
+    /// are hit.
     fn closing_at_a_corner(&self, contact: &Contact, speed: f64) -> Option<f64> {
         let (lo, hi, along) = (contact.lo as usize, contact.hi as usize, 1 - contact.axis);
         let apart = (self.places[hi] - self.places[lo])[along];

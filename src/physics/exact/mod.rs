@@ -111,7 +111,8 @@ impl Events {
         next.kind.other().is_some_and(|other| self.ways[other as usize] != next.foreseen_on)
     }
 
-    /// Items that nothing changed go on as the last tick left them; an event concerns all others. Returns false where too many impacts fall into that.
+    /// Items that nothing changed go on as the last tick left them; an event concerns all others. Returns false where too many impacts fall into
+    /// that.
     pub(crate) fn begin(&mut self, scene: &Scene) -> bool {
         self.clear_buffers();
         self.bounces = scene.plan.bounces && self.items.iter().any(|item| item.body.restitution > 0.0);

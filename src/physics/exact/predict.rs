@@ -100,7 +100,8 @@ impl Events {
         if let Some((t, axis)) = at_once.or_else(|| time_of_impact(&motion, reach, end, sides)) {
             let path = motion.axis(axis);
             let side = path.at(t).signum();
-            // Roundings of two places sink in by less than 1e-11 m within a tick; errors of a step of two that press by less than 1e-10 m until it ends.
+            // Roundings of two places sink in by less than 1e-11 m within a tick; errors of a step of two that press by less than 1e-10 m until
+            // it ends.
             let left = if press { mine.until.min(other.until) - now - t } else { f64::INFINITY };
             let (slow, slight) = (SPEED_TOLERANCE.max(1e-10 / left), 1e-6_f64.max(1e-10 / (left * left)));
             if -side * path.slope(t) > slow || -side * path.curvature(t) > slight {

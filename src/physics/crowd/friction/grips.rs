@@ -211,6 +211,7 @@ impl Friction {
             let (holds, needs) = if ends { (holds, impulse + began) } else { (static_limit, impulse) };
             // Or it slides back, for what is left of the step.
             let sense = if ends { 1.0 - 2.0 * began.abs() / (needs.abs() + static_limit) } else { 1.0 };
+            let mut slips = 0.0;
             for tight in tight {
                 if !tight.sticks() {
                     continue;
@@ -222,7 +223,12 @@ impl Friction {
                 } else if needs.abs() > holds * (1.0 + ROUNDING) {
                     (tight.grip, tight.sense, changes) = (Grip::Slip(needs.signum()), sense, true);
                     *turned |= ends;
+                    slips += needs.signum() * tight.kinetic_limit * sense;
                 }
+            }
+            // Its riders have a body that slides under them.
+            if slips != 0.0 {
+                bodies[i].end.x = (mine.momentum + slips) / mine.mass;
             }
             changed.extend(changes.then_some(i as u32));
         }
