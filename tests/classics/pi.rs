@@ -19,14 +19,6 @@ fn pi(arguments: &[&str]) -> Ran {
     Ran::new(resultant().arg("pi").args(arguments))
 }
 
-/// N = 8 and 9 take too long without optimisation: `cargo test --release`.
-#[test]
-#[cfg(not(debug_assertions))]
-fn the_largest_counts_are_the_digits() {
-    assert_eq!(count(8), digits(8));
-    assert_eq!(count(9), digits(9));
-}
-
 /// Unfolded at the walls of its wedge, the way of the point (√m₁·x₁, √m₂·x₂) is a straight line, and collision k is where it
 /// crosses the ray at angle k·θ: both times and places follow.
 #[test]
