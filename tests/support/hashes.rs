@@ -9,8 +9,8 @@ const GOLDEN: [(&str, u64); 6] = [
     ("crowd", 0x90ce71a58cb93046),
     ("liquid", 0x3d34db8db9d41906),
     ("stream", 0x9b528f4b7eb4e525),
-    ("moving surfaces", 0x1f290752d80db15b),
-    ("moving surfaces, dense", 0xc81bd85846799dca),
+    ("moving surfaces", 0x4f1be127b521d020),
+    ("moving surfaces, dense", 0xffd04c24bbee0d07),
 ];
 
 #[track_caller]

@@ -9,13 +9,11 @@ use crate::physics::crowd::{gravity::Anchors, gravity::SLACK, report::Report};
 use crate::physics::{crowd::friction::Friction, crowd::friction::Grip, flight::air::fly_through, state::Guards};
 use glam::DVec2;
 
-/// Rounds of friction and merging, one in an island of many. Fewer: riders of pushed bodies follow a step late.
+/// Rounds of friction and merging; in an island of many one, but for what closes in the end. Fewer: riders of pushed bodies follow a step late.
 const ROUNDS: usize = 3;
 /// A pushed body that is faster by this part than it was and than its cluster: friction that did not come has driven it, and the pushes are
 /// dropped. Smaller: rounding drops pushes; larger: friction drives bodies.
 const DRIVEN: f64 = 1e-9;
-/// Rounds in which bodies side by side that close are merged. Fewer: friction drags more of them along.
-const PARTINGS: usize = 8;
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pushes {
@@ -251,7 +249,7 @@ impl Cross<'_> {
         }
         parting.clear();
         parting.extend(contacts.sides.iter().filter(touches).map(|side| CrowdContact { bound: 0.0, ..*side }));
-        for round in 1..=PARTINGS {
+        for round in 1..=ROUNDS {
             let pool = Pool { before: |i| bodies[i].end.x, slack: SLACK, places: false };
             let (any, _) = clusters.pool(pool, [&parting[..], &[]], |clusters, side| {
                 for i in [side.first as usize, side.second as usize] {
@@ -273,7 +271,7 @@ impl Cross<'_> {
             }
             report.drain_sides(clusters, n);
             // Nothing closes when the last round ends.
-            if !any || (round < PARTINGS && friction.sweep(bodies) <= ROUNDING * fastest + SLACK) {
+            if !any || (round < ROUNDS && friction.sweep(bodies) <= ROUNDING * fastest + SLACK) {
                 return true;
             }
         }
